@@ -11,6 +11,7 @@ use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use topple::results::about;
 use topple::results::column_set::ColumnSet;
+use topple::results::columns::Column;
 use topple::scene::bounded;
 use topple::scene::record::Units;
 use topple::work::threads::Threads;
@@ -20,7 +21,7 @@ use topple_studies::fragility::table_columns::{CAPACITIES, COUNTS, FITS, RATES, 
 use topple_studies::fragility::tables as fragility_tables;
 use topple_studies::fragility::{hazard, hazard_text};
 use topple_studies::suites::Resample;
-use topple_studies::suites::columns::{ColumnUnit, TableColumn};
+use topple_studies::suites::columns::{self as suite_columns, ColumnUnit, TableColumn};
 use topple_studies::suites::{envelope as envelope_tables, saved, table};
 use topple_studies::{
     Best, Comparison, ComparisonError, ComparisonJob, ComparisonRequest, Envelope, EnvelopeJob,
@@ -51,7 +52,7 @@ pub fn suite(py: Python<'_>, path: PathBuf, strict: bool) -> PyResult<(String, S
 }
 
 /// The keywords of an envelope that are not those of a scene.
-const ENVELOPE: [&str; 11] = [
+const ENVELOPE: [&str; 12] = [
     "suite",
     "strict",
     "both_directions",
@@ -59,6 +60,7 @@ const ENVELOPE: [&str; 11] = [
     "limit_u",
     "limit_v",
     "best",
+    "columns",
     "resample",
     "seed",
     "vary",
@@ -121,6 +123,7 @@ pub fn envelope<'py>(
         let known = Best::named(&name);
         request.best = known.ok_or_else(|| of_keyword("best", format!("{name} is not known")))?;
     }
+    request.columns = further(keywords)?;
     request.resample = resample(keywords)?;
     request.vary = varied(keywords)?;
     request.seed = number(keywords, "seed", A_SEED)?.unwrap_or(request.seed);
@@ -140,9 +143,26 @@ pub fn envelope<'py>(
     let mut about = told(&envelope.sweep);
     let columns = [&envelope_tables::COLUMNS[..], &envelope_tables::ZETA_COLUMNS].concat();
     about["columns"] = described(&columns, "");
+    describe_further(&envelope.settings.columns, &mut about["columns"]);
     about["best"] = json!(envelope.best().iter().take(BEST).collect::<Vec<_>>());
     envelope.sweep.discard_saved()?;
     Ok((Some(tables), Some(about.to_string())))
+}
+
+/// Columns of a map that a table tells, too.
+fn further(keywords: &Bound<'_, PyDict>) -> PyResult<Vec<Column>> {
+    let names = several(keywords, "columns")?;
+    match names.is_empty() {
+        true => Ok(Vec::new()),
+        false => Ok(ColumnSet::of_names(&names).map_err(of_scene)?.columns().collect()),
+    }
+}
+
+/// Their units and meanings.
+fn describe_further(of: &[Column], columns: &mut Value) {
+    for (name, unit, meaning) in of.iter().flat_map(|column| suite_columns::further(*column)) {
+        columns[name] = json!({ "unit": unit, "meaning": meaning });
+    }
 }
 
 /// Compares devices under a suite: `(tables, about)`, CSV by name and JSON, None of a shard.
@@ -167,10 +187,7 @@ pub fn compare<'py>(
     if let Some(scales) = value_of(keywords, "scales")? {
         request.scales = Some(values("scales", &scales)?);
     }
-    let names = several(keywords, "columns")?;
-    if !names.is_empty() {
-        request.columns = ColumnSet::of_names(&names).map_err(of_scene)?.columns().collect();
-    }
+    request.columns = further(keywords)?;
     request.resample = resample(keywords)?;
     request.seed = number(keywords, "seed", A_SEED)?.unwrap_or(request.seed);
     if let Some(hazard) = hazard_curve(py, keywords, im)? {
@@ -190,11 +207,7 @@ pub fn compare<'py>(
     tables.set_item("compare", text(|w| Ok(comparison::write(&compared, w)?))?)?;
     let own = [&comparison::COLUMNS[..], &comparison::RESERVE, &comparison::RATES].concat();
     let mut columns = described(&own, "");
-    for column in &compared.settings.columns {
-        for (name, unit, meaning) in comparison::further(*column) {
-            columns[name] = json!({ "unit": unit, "meaning": meaning });
-        }
-    }
+    describe_further(&compared.settings.columns, &mut columns);
     let about = json!({
         "program": "topple",
         "version": env!("CARGO_PKG_VERSION"),

@@ -312,6 +312,8 @@ def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None 
     best : str, optional
         What makes a feasible cell the best: ``reserve`` (the most steps of the grid from a cell that fails; the default),
         ``stroke_u`` or ``stroke_v`` (the least).
+    columns : str or sequence of str, optional
+        Columns of a map whose 50, 84 and 100 % are told, too.
     vary : mapping, str or sequence of str, optional
         Numbers that are not known, as of `fragility`: shares are of the motions at all their points.
     samples, seed : int, optional

@@ -31,6 +31,9 @@ pub struct Tally {
     /// Those that ask for more friction than the scene has; none if it has no coefficient, or nobody requested contact
     /// forces.
     pub sliding: Option<usize>,
+    /// Those that stand and move farther than the radius of their pendulum, where no dish is; none without a pendulum, or where
+    /// nobody asked for max |u|.
+    pub beyond_radius: Option<usize>,
     /// Those that ended early, their results proved final.
     pub proved: usize,
     /// Mean time simulated by a cell that stands, s.
@@ -45,16 +48,20 @@ impl Tally {
     pub fn of(grid: &Grid, outcomes: &dyn Outcomes, asked: ColumnSet) -> io::Result<Tally> {
         let forces = asked.asked().forces;
         let friction = grid.value(Parameter::Friction, 0).filter(|_| forces);
+        let radius = grid.value(Parameter::Radius, 0).filter(|_| asked.has(Column::MaxU));
+        let more = radius.map(|_| Column::MaxU);
+        let columns: Vec<Column> = COLUMNS.into_iter().chain(more).collect();
         let mut tally = Tally {
             cells: grid.len(),
             by_class: [0; 5],
             tensile: forces.then_some(0),
             sliding: friction.map(|_| 0),
+            beyond_radius: radius.map(|_| 0),
             proved: 0,
             mean_time: 0.0,
         };
         let (mut stand, mut time) = (0_usize, 0.0);
-        each_block(grid, outcomes, &COLUMNS, |first, block| {
+        each_block(grid, outcomes, &columns, |first, block| {
             for (index, cell) in (first..).zip(block) {
                 tally.by_class[cell.class as usize] += 1;
                 if let Some(tensile) = &mut tally.tensile {
@@ -63,6 +70,10 @@ impl Tally {
                 tally.proved += usize::from(cell.status == Status::Proved);
                 if let Some(sliding) = &mut tally.sliding {
                     *sliding += usize::from(slides(grid, index, cell));
+                }
+                let radius = grid.value(Parameter::Radius, index).unwrap_or(f64::INFINITY);
+                if let Some(beyond) = &mut tally.beyond_radius {
+                    *beyond += usize::from(cell.class.stands() && cell.max_u > radius);
                 }
                 if cell.class.stands() {
                     stand += 1;

@@ -3,11 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
-use topple::results::column_set::ColumnSet;
 use topple::results::earlier::Kind;
 use topple::scene::record::rounded;
 use topple::scene::record::text::decoded;
-use topple::scene::{Grid, Scene, Values, bounded, path_text};
+use topple::scene::{Grid, Parameter, Scene, Values, bounded, path_text};
 use topple_pictures::drawing::render;
 use topple_pictures::studies::comparison as picture;
 use topple_studies::comparison::{
@@ -23,6 +22,7 @@ use topple_studies::suites::verified::Verified;
 use super::envelope::{between, digits};
 use super::errors::sweep_error;
 use super::fragility_words as told;
+use super::further::FurtherFlags;
 use super::hazard::HazardFlags;
 use super::limits::{IntervalFlags, LimitFlags};
 use super::numbers::RecordNumbers;
@@ -30,7 +30,7 @@ use super::options::{CommonFlags, RunOptions, flag_error};
 use super::results_directory::{Place, picture_files};
 use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
 use super::words::{Reporter, with_flags};
-use super::{InputError, examples, suite, words};
+use super::{InputError, examples, further, suite, words};
 
 /// Compare the devices of a list under every motion of a suite, side by side.
 #[derive(clap::Args)]
@@ -50,9 +50,8 @@ pub struct CompareCommand {
     /// Factors on the motions for the reserve: the largest factor up to which all limits are kept
     #[arg(long, value_name = "FACTORS", help_heading = "Suite", allow_hyphen_values = true)]
     scales: Option<Values>,
-    /// Columns of a map whose 50, 84 and 100 % values are also given, by their names in map.csv
-    #[arg(long, value_name = "NAME,...", help_heading = "Suite")]
-    columns: Option<ColumnSet>,
+    #[command(flatten)]
+    further: FurtherFlags,
     #[command(flatten)]
     intervals: IntervalFlags,
     #[command(flatten)]
@@ -132,13 +131,9 @@ impl CompareCommand {
             levels: self.levels.clone(),
             hazard: hazard.curve.clone(),
         });
-        // All are all that have percentiles, and no column twice.
-        let whole = self.columns.is_some_and(|columns| columns.is_all());
-        let columns = self.columns.iter().flat_map(|columns| columns.columns());
-        let columns = columns.filter(|column| !whole || comparison::is_further(*column)).collect();
         let request = ComparisonRequest {
             scales: self.scales.clone(),
-            columns,
+            columns: self.further.columns(),
             rate,
             resample: self.intervals.resample,
             seed: self.intervals.seed,
@@ -156,6 +151,7 @@ impl CompareCommand {
         let ComparisonJob { sweep, settings } =
             request.open(&suite).map_err(|error| self.refused(error))?;
         let scenes = sweep.scenes(settings.devices.len());
+        self.motions.tell_of_scene(&scenes, &say);
         self.tell_of_devices(&settings.devices, &scenes, &say)?;
         let times = Times::devices(settings.devices.len());
         let Some(swept) = self.motions.run(sweep, times, options, &say)? else {
@@ -185,7 +181,7 @@ impl CompareCommand {
             limit_u: limits.u,
             limit_v: limits.v,
             scales: &settings.scales,
-            columns: settings.columns.iter().map(|column| column.entry().name).collect(),
+            columns: further::names(&settings.columns),
             resample: settings.groups.by,
             groups: settings.groups.count,
             replicates: settings.bootstrap.replicates,
@@ -242,6 +238,12 @@ impl CompareCommand {
     ) -> Result<(), InputError> {
         let mut names = Vec::new();
         for (device, scene) in devices.iter().zip(scenes) {
+            if !device.left_out.is_empty() {
+                let flags: Vec<String> =
+                    device.left_out.iter().map(|own| own.entry().flag()).collect();
+                let text = "of all, which its base has not";
+                say.line("left out", format!("{}: {} {text}", device.name, flags.join(", ")));
+            }
             words::device(say, Some(&device.name), scene);
             let plan = self.options.plan(scene).map_err(|error| flag_error(&error))?;
             if words::has_lossless_impacts(&plan, &Grid::of(scene)) {
@@ -266,11 +268,28 @@ fn tell(compared: &Comparison, say: &Reporter) {
     for (number, (name, device)) in compared.rows().enumerate() {
         say.line(if number == 0 { "devices" } else { "" }, one(name, device, compared));
     }
+    let tensile = compared.rows().filter(|(_, device)| device.tensile > 0);
+    let tensile: Vec<String> =
+        tensile.map(|(name, device)| format!("{name} under {}", device.tensile)).collect();
+    if !tensile.is_empty() {
+        words::warn(format!(
+            "the contact force is tensile, and the model does not hold: {} of {}",
+            tensile.join(", "),
+            suite::counted(compared.records(), "motion")
+        ));
+    }
+    for ((name, device), of) in compared.rows().zip(&compared.settings.devices) {
+        words::warn_of_radius(
+            Some(name),
+            of.scene.numbers.get(Parameter::Radius),
+            device.cell.max_u[2],
+        );
+    }
 }
 
 /// A device in words.
 fn one(name: &str, device: &Compared, of: &Comparison) -> String {
-    let Compared { cell, reserve, rate, .. } = device;
+    let Compared { cell, reserve, rate, stop_from, .. } = device;
     let mut text = format!("{name}: stands under {:.1} %", 100.0 * cell.standing);
     text += &format!(
         ", overturning has P = {}{}",
@@ -287,6 +306,11 @@ fn one(name: &str, device: &Compared, of: &Comparison) -> String {
             text += &format!(", {what} up to {value:.3} m{limit}");
         }
     }
+    text += &match stop_from {
+        Some(1.0) => ", meets its end stop".to_string(),
+        Some(factor) => format!(", meets its end stop at {factor} times the motions"),
+        None => String::new(),
+    };
     if let Some(reserve) = reserve {
         text += &match (reserve.keeps, reserve.fails) {
             (None, _) => ", no reserve".to_string(),

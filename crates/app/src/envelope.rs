@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 use topple::results::earlier::Kind;
-use topple::scene::Grid;
 use topple::scene::record::rounded;
+use topple::scene::{Grid, Parameter};
 use topple_pictures::drawing::render;
 use topple_pictures::studies::{envelope as envelope_picture, envelope_curves};
 use topple_studies::suites::Resample;
@@ -16,6 +16,7 @@ use topple_studies::uncertain::{SAMPLES, Varied};
 
 use super::errors::sweep_error;
 use super::fragility_words::warn_of_few;
+use super::further::FurtherFlags;
 use super::limits::{IntervalFlags, LimitFlags};
 use super::named::best;
 use super::numbers::RecordNumbers;
@@ -24,7 +25,7 @@ use super::results_directory::{Place, picture_files};
 use super::suite::counted;
 use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
 use super::words::Reporter;
-use super::{InputError, examples, suite};
+use super::{InputError, examples, further, suite, words};
 
 /// Sweep a scene under every motion of a suite: find the cells in which the block stands within given strokes.
 #[derive(clap::Args)]
@@ -42,6 +43,8 @@ pub struct EnvelopeCommand {
     /// the least stroke_u or stroke_v
     #[arg(long, value_name = "WHICH", default_value_t = Best::Reserve, help_heading = "Suite", value_parser = best)]
     best: Best,
+    #[command(flatten)]
+    further: FurtherFlags,
     #[command(flatten)]
     intervals: IntervalFlags,
     /// Distribution of a number that is not known: KEY=normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA); two more
@@ -67,6 +70,7 @@ struct Manifest<'a> {
     feasible: usize,
     /// The best cell: its axes and its results; none if no cell is feasible.
     best_cell: Option<usize>,
+    columns: Vec<&'static str>,
     resample: Option<Resample>,
     groups: Option<usize>,
     seed: u32,
@@ -94,6 +98,7 @@ impl EnvelopeCommand {
         let limits = self.limits.limits();
         let request = EnvelopeRequest {
             best: self.best,
+            columns: self.further.columns(),
             resample: self.intervals.resample,
             vary: self.vary.clone(),
             samples: self.samples,
@@ -108,6 +113,7 @@ impl EnvelopeCommand {
         suite::count(&suite, &say);
         self.vary.iter().for_each(|varied| say.line("varies", varied));
         let EnvelopeJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
+        self.motions.tell_of_scene(std::slice::from_ref(&sweep.scene), &say);
         suite_run::tell_of_base(&sweep, options)?;
         let times = Times::points(settings.times);
         let Some(swept) = self.motions.run(sweep, times, options, &say)? else {
@@ -144,6 +150,7 @@ impl EnvelopeCommand {
             best: self.best,
             feasible: best.len(),
             best_cell: best.first().copied(),
+            columns: further::names(&envelope.settings.columns),
             resample: groups.map(|groups| groups.by),
             groups: groups.map(|groups| groups.count),
             seed: self.intervals.seed,
@@ -183,6 +190,10 @@ fn tell(envelope: &Envelope, best: &[usize], say: &Reporter) {
     for (number, cell) in best.iter().take(BEST).enumerate() {
         let name = if number == 0 && cells == 1 { "best" } else { "" };
         say.line(name, one(envelope, *cell));
+    }
+    if let Some(cell) = best.first() {
+        let largest = envelope.cells[*cell].max_u[2];
+        words::warn_of_radius(None, envelope.sweep.scene.numbers.get(Parameter::Radius), largest);
     }
     if best.is_empty()
         && let Some(cell) = envelope.nearest()

@@ -81,6 +81,9 @@ pub fn write(
     };
     screen.clear();
     say.line("outcomes", words::shares(&tally, map.plan.scene.numbers.get(Parameter::Friction)));
+    if let Some(beyond) = tally.beyond_radius.filter(|beyond| *beyond > 0) {
+        words::warn_of_radii(beyond);
+    }
     let sharpness = match to.sharpness {
         true => {
             Some(Sharpness::of_map(&map, screen).map_err(|error| sweep_error(map.stopped(error)))?)

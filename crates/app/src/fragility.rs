@@ -185,6 +185,7 @@ impl FragilityCommand {
         }
         let FragilityJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
         self.motions.refuse_foreign(&place, &self.names(&settings.states))?;
+        self.motions.tell_of_scene(std::slice::from_ref(&sweep.scene), &say);
         suite_run::tell_of_base(&sweep, options)?;
         let times = Times::points(settings.times);
         let Some(swept) = self.motions.run(sweep, times, options, &say)? else {

@@ -22,6 +22,7 @@ mod finish;
 mod fragility;
 mod fragility_rates;
 mod fragility_words;
+mod further;
 mod hazard;
 mod history;
 mod history_table;

@@ -8,7 +8,7 @@ use topple::results::shard::Shard;
 use topple::results::store_error::StoreError;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::device_numbers::DeviceNumbers;
-use topple::scene::{Scene, path_text};
+use topple::scene::{Parameter, Scene, Values, path_text};
 use topple::sweep::error::SweepError;
 use topple::sweep::settings::Method;
 use topple_studies::suites::swept::{SuiteJob, SuiteSweep};
@@ -138,6 +138,36 @@ impl SuiteFlags {
             return Ok(());
         }
         place.refuse_foreign(names)
+    }
+
+    /// Says what is swept, and that both directions of a block without an eccentricity are the same.
+    pub fn tell_of_scene(&self, scenes: &[Scene], say: &Reporter) {
+        let Some(first) = scenes.first() else { return };
+        let parts = match scenes {
+            [scene] => topple::scene::words::fixed(scene),
+            scenes => words::shared_block(scenes),
+        };
+        let suite = self.suite.display();
+        say.line("scene", format!("{}, under the motions of {suite}", parts.join(", ")));
+        let leans = |parameter| {
+            let values = first.numbers.get(parameter);
+            values.is_some_and(|values: &Values| values.iter().any(|value| value != 0.0))
+        };
+        let alone = scenes.len() == 1
+            || scenes.iter().all(|scene| {
+                scene.numbers.get(Parameter::Eccentricity)
+                    == first.numbers.get(Parameter::Eccentricity)
+                    && scene.numbers.get(Parameter::Offset) == first.numbers.get(Parameter::Offset)
+            });
+        if self.both_directions
+            && alone
+            && !leans(Parameter::Eccentricity)
+            && !leans(Parameter::Offset)
+        {
+            words::warn(
+                "both directions of a motion are the same for a block without an eccentricity: --both-directions doubles the time, and nothing else",
+            );
+        }
     }
 
     /// Reads the suite; from here on Ctrl-C is heard.

@@ -19,7 +19,8 @@ use topple::results::tally::Tally;
 use topple::scene::device::DEFAULT_XI_H;
 use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::keys;
-use topple::scene::parameters::Section;
+use topple::scene::parameters::{Caption, PARAMETERS, Section};
+use topple::scene::record::rounded;
 use topple::scene::{Case, Device, Directions, Excitation, Grid, Parameter, Scene, Values};
 use topple::stepping::outcome::Class;
 use topple::sweep::repaired::Repair;
@@ -152,6 +153,9 @@ pub fn device(say: &Reporter, name: Option<&str>, scene: &Scene) {
     if let Some(device) = DeviceNumbers::of(scene) {
         say.line("device", format!("{name}{device}"));
     }
+    if let Some(stop) = stop(scene) {
+        say.line("stop", format!("{name}{stop}"));
+    }
     let given = |own: &Parameter| scene.numbers.has(*own);
     let strength = [Parameter::UY, Parameter::YieldForce].into_iter().find(given);
     let damper = scene.numbers.get(Parameter::XiH).and_then(Values::single);
@@ -166,6 +170,50 @@ pub fn device(say: &Reporter, name: Option<&str>, scene: &Scene) {
         );
     }
 }
+
+/// The end stop of a base in words.
+fn stop(scene: &Scene) -> Option<String> {
+    let parts = [Parameter::StopGap, Parameter::StopStiffness, Parameter::StopXi]
+        .map(|own| Some(own.entry().written(scene.numbers.get(own)?)));
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    (scene.isolation.moves_h() && scene.numbers.has(Parameter::StopGap)).then(|| parts.join(", "))
+}
+
+/// What all scenes have of the block, in words.
+pub fn shared_block(scenes: &[Scene]) -> Vec<String> {
+    let own = PARAMETERS.iter().filter(|entry| entry.section == Section::Block);
+    own.filter_map(|entry| {
+        let of = |scene: &Scene| scene.numbers.get(entry.parameter).and_then(Values::single);
+        let first = of(scenes.first()?)?;
+        let usual = entry.caption == Caption::Always;
+        (usual && scenes.iter().all(|scene| of(scene) == Some(first))).then(|| entry.written(first))
+    })
+    .collect()
+}
+
+/// Warns of a friction pendulum that moves farther than its radius: its dish has an end before.
+pub fn warn_of_radius(name: Option<&str>, radius: Option<&Values>, largest: f64) {
+    let name = name.map(|name| format!("{name}: ")).unwrap_or_default();
+    let radius = radius.map(|radius| radius.iter().fold(f64::INFINITY, f64::min));
+    if let Some(radius) = radius.filter(|radius| largest > *radius) {
+        warn(with_flags(&format!(
+            "{name}max |u| of {} m is beyond the radius of the pendulum, {radius} m: {BEYOND}",
+            rounded(largest, 3)
+        )));
+    }
+}
+
+/// Warns of so many cells of a map with such a pendulum.
+pub fn warn_of_radii(cells: usize) {
+    warn(with_flags(&format!(
+        "in {} the block stands and max |u| is beyond the radius of the pendulum: {BEYOND}",
+        verdict::cells(cells)
+    )));
+}
+
+/// What is wrong with a stroke beyond the radius, and what to do.
+const BEYOND: &str =
+    "no dish is so large, and the law is that of small angles; give its end stop (`stop_gap`)";
 
 /// Share of the angular velocity that an impact takes below which it takes none.
 const NO_LOSS: f64 = 1.0e-9;

@@ -1,11 +1,12 @@
 //! SCEC's Broadband Platform: a time and three components in a row, named by the last comment before them.
 
 use super::channel::{Channel, choose};
+use super::clock::Clock;
 use super::component::Component;
 use super::hints::RecordHints;
 use super::lines::MOST_SAMPLES;
 use super::numbers::{free, number};
-use super::times::{self, Clock, Times};
+use super::times::{self, Times};
 use super::{Raw, RecordError, Stated};
 
 /// Lines among which the names of the columns are looked for.

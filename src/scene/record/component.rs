@@ -69,15 +69,17 @@ pub fn azimuth(word: &str) -> Option<f64> {
     if let Ok(degrees) = word.parse::<f64>() {
         return whole(degrees);
     }
-    let bearing = |from: char, to: char| {
-        word.strip_prefix(from)?.strip_suffix(to)?.parse::<f64>().ok().filter(|d| *d <= 90.0)
+    let between = |from: char, to: char| {
+        word.strip_prefix(from)?.strip_suffix(to)?.parse::<f64>().ok().filter(|d| *d >= 0.0)
     };
+    let bearing = |from: char, to: char| between(from, to).filter(|d| *d <= 90.0);
     match word {
         "N" | "NS" | "NORTH" => Some(0.0),
         "E" | "EW" | "EAST" => Some(90.0),
         "S" | "SN" | "SOUTH" => Some(180.0),
         "W" | "WE" | "WEST" => Some(270.0),
-        _ => bearing('N', 'E')
+        // Beyond a right angle N107E is an azimuth, as Japanese records of buildings have it.
+        _ => between('N', 'E')
             .or_else(|| bearing('S', 'E').map(|d| 180.0 - d))
             .or_else(|| bearing('S', 'W').map(|d| 180.0 + d))
             .or_else(|| bearing('N', 'W').map(|d| 360.0 - d))
@@ -115,6 +117,7 @@ mod tests {
             ("360", 0.0),
             ("090 (CUE)", 90.0),
             ("N17E", 17.0),
+            ("N107E", 107.0),
             ("S 45 W", 225.0),
             ("S20E", 160.0),
             ("N17W", 343.0),
@@ -126,7 +129,7 @@ mod tests {
         ] {
             assert_eq!(azimuth(word), Some(degrees), "{word}");
         }
-        for word in ["UP", "HNZ", "HN1", "L", "T1", "radial", "400", "", "N91E"] {
+        for word in ["UP", "HNZ", "HN1", "L", "T1", "radial", "400", "", "N91W", "N400E"] {
             assert_eq!(azimuth(word), None, "{word}");
         }
     }

@@ -6,7 +6,8 @@ use super::hints::RecordHints;
 use super::lines::Lines;
 use super::numbers::{after, fixed, free, width};
 use super::stated::{seconds, tidy};
-use super::{Raw, RecordError, Stated, Step};
+use super::{Raw, RecordError, Stated, Step, Units};
+use crate::scene::shown::shown;
 
 /// True where the first line names the format.
 pub(crate) fn matches(text: &str) -> bool {
@@ -43,6 +44,15 @@ fn of_integer(integer: f64) -> Option<Component> {
         1..=360 | 500 | 501 | 600 | 601 | 700 | 701 => Some(Component::Horizontal),
         400 | 402 => Some(Component::Up),
         401 => Some(Component::Down),
+        _ => None,
+    }
+}
+
+/// The units of an acceleration by their number in table 2 of the format's description.
+fn of_code(code: u32) -> Option<&'static str> {
+    match code {
+        2 => Some("g"),
+        4 => Some("cm/s2"),
         _ => None,
     }
 }
@@ -112,11 +122,32 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
     let count = leading_count(line)
         .ok_or_else(|| RecordError::line(at, "the count of samples should stand here"))?;
     let units = behind(line, "units=").map(|text| {
-        let words = text.split(['(', ',']).next().unwrap_or_default();
-        // Without words there is the number of the units' table.
-        let words = if words.trim().is_empty() { text } else { words };
-        (at, words.trim().to_string())
+        let (words, rest) = text.split_once(['(', ',']).unwrap_or((text, ""));
+        let code =
+            rest.split(')').next().and_then(|code| code.trim().parse().ok()).and_then(of_code);
+        (at, words.trim(), code)
     });
+    // Without words there is the number of the units' table.
+    let units = match units {
+        Some((at, words, Some(code)))
+            if Units::named(words).is_some_and(|units| Some(units) != Units::named(code)) =>
+        {
+            let problem = format!(
+                "units of '{}' by word and of '{code}' by number; correct one",
+                shown(words)
+            );
+            return Err(RecordError::line(at, problem));
+        }
+        Some((at, "", Some(code))) => Some((at, code.to_string())),
+        Some((at, words, _)) => Some((at, words.to_string())),
+        None => None,
+    };
+    if !line.to_ascii_lowercase().contains("acc") {
+        return Err(RecordError::line(
+            at,
+            "these are no points of acceleration; give the acceleration file",
+        ));
+    }
     let (step, odd) = step(&reals, count, after(line, "APPROX"), hints.dt)
         .map_err(|problem| RecordError::line(at, problem))?;
     let cut = width(line);

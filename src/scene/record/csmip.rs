@@ -72,8 +72,13 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
     stated.component = channel.component;
     stated.station = station.unwrap_or_default();
     stated.event = tidy(&title);
-    lines
-        .seek("acceleration", |line| line.to_ascii_uppercase().contains("POINTS OF ACCEL DATA"))?;
+    let is_acceleration = |line: &str| line.to_ascii_uppercase().contains("POINTS OF ACCEL DATA");
+    if !channel.text.lines().any(is_acceleration) {
+        let problem = "no acceleration in the file: it is cut off, or another writer's volume 2 than CSMIP's (as USC's or \
+                       Caltech's); give its samples as text";
+        return Err(RecordError::whole(problem));
+    }
+    lines.seek("acceleration", is_acceleration)?;
     let at = lines.number();
     let line = lines.next("acceleration")?;
     let count = line

@@ -3,6 +3,8 @@
 use super::component::Component;
 use super::hints::RecordHints;
 use super::lines::MOST_SAMPLES;
+use super::read::COLUMNS;
+use super::unlikely::unlikely;
 use super::{DIGITS, Pair, Provenance, Record, RecordFile, Treatment, Units, rounded};
 use crate::scene::parameters::ACCEPTED;
 use crate::scene::{GRAVITY, SceneError};
@@ -26,8 +28,14 @@ fn questioned(
     if is_vertical(horizontal) == Some(true) {
         return asked("horizontal", format!("'{h}' is a vertical component"));
     }
+    if let Some(what) = unlikely(&horizontal.samples) {
+        return asked("horizontal", format!("{what}: '{h}' is no motion"));
+    }
     if let Some(vertical) = vertical {
         let v = &vertical.title;
+        if let Some(what) = unlikely(&vertical.samples) {
+            return asked("vertical", format!("{what}: '{v}' is no motion"));
+        }
         if vertical.samples == horizontal.samples {
             return asked("vertical", "the same motion as the horizontal one".into());
         }
@@ -70,10 +78,12 @@ fn questioned(
     None
 }
 
-/// By how much the vertical begins later than the horizontal, s, by what their files state; 0 where one states nothing.
+/// By how much the vertical begins later than the horizontal, s, by what their files state; 0 where one states nothing,
+/// and where one alone is a file of plain numbers, whose times are from no date.
 pub(super) fn later(horizontal: &Record, vertical: &Record) -> f64 {
+    let [one, other] = [horizontal, vertical].map(|record| record.stated.format == COLUMNS);
     match (horizontal.stated.start, vertical.stated.start) {
-        (Some(h), Some(v)) => v - h,
+        (Some(h), Some(v)) if one == other => v - h,
         _ => 0.0,
     }
 }

@@ -17,24 +17,42 @@ pub(crate) fn matches(text: &str) -> bool {
     text.lines().next().is_some_and(|line| line.starts_with("Origin Time"))
 }
 
-/// The component by a header's direction, and the depth: KiK-net numbers those of its borehole by 1 to 3 and those of
-/// the surface by 4 to 6, each N-S, E-W, U-D.
-fn direction(word: &str) -> (Option<Component>, &'static str) {
-    match word {
-        "1" | "2" => (Some(Component::Horizontal), " borehole"),
-        "3" => (Some(Component::Up), " borehole"),
-        "4" | "5" => (Some(Component::Horizontal), " surface"),
-        "6" => (Some(Component::Up), " surface"),
-        _ => (Component::named(word), ""),
-    }
+/// The direction by a header's word, and the depth: KiK-net numbers those of its borehole by 1 to 3 and those of the
+/// surface by 4 to 6, each N-S, E-W, U-D.
+fn direction(word: &str) -> (&str, &'static str) {
+    let depth = match word {
+        "1" | "2" | "3" => " borehole",
+        "4" | "5" | "6" => " surface",
+        _ => "",
+    };
+    let way = match word {
+        "1" | "4" => "N-S",
+        "2" | "5" => "E-W",
+        "3" | "6" => "U-D",
+        word => word.trim_end_matches(['1', '2']),
+    };
+    (way, depth)
+}
+
+/// Part by which a peak may differ from the header's, which has few digits.
+const PEAK: f64 = 0.01;
+
+/// True of a line of samples.
+fn are_samples(line: &str) -> bool {
+    let fields = free(line);
+    fields.len() > 1 && fields.iter().all(|field| number(field).is_some())
 }
 
 pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
     let mut lines = Lines::of(text);
     let (mut origin, mut station, mut way, mut start) = ("", "", "", None);
-    let (mut rate, mut duration, mut scale) = (None, None, None);
+    let (mut rate, mut duration, mut scale, mut peak) = (None, None, None, None);
     for _ in 0..HEADER {
         let at = lines.number();
+        // A header that lacks a line ends at the samples.
+        if scale.is_some() && lines.peek().is_some_and(are_samples) {
+            break;
+        }
         let line = lines.next("header of 17 lines")?;
         let value = line.get(NAME..).unwrap_or_default().trim();
         if line.starts_with("Origin Time") {
@@ -49,6 +67,8 @@ pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
             way = value;
         } else if line.starts_with("Sampling Freq") {
             rate = number(value.trim_end_matches("Hz"));
+        } else if line.starts_with("Max. Acc.") {
+            peak = number(value);
         } else if line.starts_with("Scale Factor") {
             // 3920(gal)/6182761
             let parts = value.split_once("(gal)/");
@@ -73,13 +93,20 @@ pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
     for value in &mut values {
         *value = (*value - mean) * scale;
     }
-    let (component, depth) = direction(way);
+    let found = values.iter().fold(0.0, |peak: f64, value| peak.max(value.abs()));
+    if let Some(stated) = peak
+        && stated > 0.0
+        && (stated - found).abs() > PEAK * found
+    {
+        notes.push(format!("a peak of {found:.3} gal where its header has {stated}"));
+    }
+    let (way, depth) = direction(way);
     Ok(Raw {
         title: format!("K-NET {station} {way}"),
         stated: Stated {
             event: origin.into(),
             station: format!("{station}{depth}"),
-            component,
+            component: Component::named(way),
             azimuth: component::azimuth(way),
             start,
             ..Stated::default()

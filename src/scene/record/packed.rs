@@ -7,7 +7,7 @@ use flate2::read::MultiGzDecoder;
 use zip::ZipArchive;
 use zip::result::ZipError;
 
-use super::{RecordError, zips};
+use super::{RecordError, other_programs, zips};
 use crate::scene::bounded;
 use crate::scene::shown::{self, shown};
 
@@ -81,8 +81,7 @@ fn only_file(bytes: &[u8], most: u64) -> Result<(Vec<u8>, String), RecordError> 
             names.push(name.into_owned());
         }
     }
-    if names.iter().any(|name| name == "xl/workbook.xml") {
-        let problem = "a spreadsheet (.xlsx); save its sheet as CSV and give that";
+    if let Some(problem) = other_programs::of_zip(&names) {
         return Err(RecordError::whole(problem));
     }
     let [name] = &names[..] else {

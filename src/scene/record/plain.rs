@@ -1,4 +1,4 @@
-//! Bytes of a text file in whatever encoding, with whatever line ends; and files of other programs by their first bytes.
+//! Bytes of a text file in whatever encoding, with whatever line ends.
 
 use crate::scene::bounded::{self, utf16};
 
@@ -63,23 +63,4 @@ fn lines_of_here(text: String) -> String {
         }
     }
     lines
-}
-
-/// What to do with a file of another program, known by its first bytes.
-pub(super) fn other_program(bytes: &[u8]) -> Option<&'static str> {
-    // The old format of Excel is an OLE file.
-    if bytes.starts_with(&[0xd0, 0xcf, 0x11, 0xe0]) {
-        return Some("a spreadsheet (.xls); save its sheet as CSV and give that");
-    }
-    // A record of miniSEED: a number of six digits, a kind, and a blank (SEED 2.4); or MS and the version 3.
-    let is_seed = bytes.len() >= 48
-        && bytes[..6].iter().all(u8::is_ascii_digit)
-        && matches!(bytes[6], b'D' | b'R' | b'Q' | b'M')
-        && bytes[7] == b' ';
-    if is_seed || bytes.starts_with(b"MS\x03") {
-        return Some(
-            "miniSEED; read it by obspy and give the stream to the Python package, or write its samples as text",
-        );
-    }
-    None
 }

@@ -87,15 +87,18 @@ const FORMATS: [Format; 10] = [
     ("CSMIP", csmip::matches, csmip::read),
     ("PEER AT2", at2::matches, at2::read),
     ("Broadband Platform", bbp::matches, bbp::read),
-    ("columns", |_| true, columns::read),
+    (COLUMNS, |_| true, columns::read),
 ];
+
+/// The name of the format of plain numbers.
+pub(super) const COLUMNS: &str = "columns";
 
 /// The name of the one format that is no text.
 const SAC: &str = "SAC";
 
 /// The name of the format that a text is a record's in, if it is one of those that have a heading.
 pub fn format_of(text: &str) -> Option<&'static str> {
-    let own = FORMATS.iter().filter(|(name, ..)| *name != "columns");
+    let own = FORMATS.iter().filter(|(name, ..)| *name != COLUMNS);
     own.clone().find(|(_, matches, _)| matches(text)).map(|(name, ..)| *name)
 }
 
@@ -172,7 +175,7 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> 
     if !(SHORTEST_STEP..=LONGEST_STEP).contains(&dt) {
         let hint = if dt == 1.0 {
             "; a column that counts samples is no time: give `dt`"
-        } else if *format == "columns" && hints.dt.is_none() {
+        } else if *format == COLUMNS && hints.dt.is_none() {
             "; if the times are not in s, name their unit in a heading such as time (ms), acc (g), or give `dt`"
         } else {
             ""

@@ -61,12 +61,23 @@ pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
         (&line[..at], line.get(at + 10..).unwrap_or_default().trim())
     });
     // Integer 13 is the angle from upwards.
-    let component = match integer(13) {
+    let angle = match integer(13) {
         Some(0.0) => Some(Component::Up),
         Some(180.0) => Some(Component::Down),
         Some(90.0) => Some(Component::Horizontal),
-        _ => Component::named(word),
+        _ => None,
     };
+    let named = Component::named(word);
+    if let (Some(angle), Some(named)) = (angle, named)
+        && angle.is_vertical() != named.is_vertical()
+    {
+        let problem = format!(
+            "integer 13, the angle from upwards, and the component '{}' above contradict each other; correct one",
+            shown(word)
+        );
+        return Err(RecordError::line(at + 1, problem));
+    }
+    let component = angle.or(named);
     Ok(Raw {
         title: tidy(&title.join(" ")),
         stated: Stated {

@@ -1,7 +1,7 @@
 //! From the bytes of a file to its text: other encodings are converted to UTF-8, and a file that is not a record is recognised
 //! by its first bytes.
 
-use super::{RecordError, plain};
+use super::{RecordError, other_programs, plain};
 use crate::scene::bounded;
 
 /// Largest file that is read, bytes; of a packed one also what is in it.
@@ -30,7 +30,7 @@ pub fn decoded(bytes: &[u8]) -> Result<String, RecordError> {
     if bytes.starts_with(b"%PDF") {
         return Err(RecordError::whole("a PDF, not a record; give the file of numbers"));
     }
-    if let Some(problem) = plain::other_program(bytes) {
+    if let Some(problem) = other_programs::of(bytes) {
         return Err(RecordError::whole(problem));
     }
     if text.chars().take(1024).any(|c| c == '\0') {

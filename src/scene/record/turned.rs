@@ -19,7 +19,14 @@ pub(in crate::scene) fn turned(
     treatment: &Treatment,
     force: bool,
 ) -> Result<Record, SceneError> {
-    let of = |key, record: &Record, given: Option<f64>| {
+    let of = |key, record: &mut Record, given: Option<f64>| {
+        if let (Some(given), Some(stated)) = (given, record.stated.azimuth)
+            && given.rem_euclid(360.0) != stated
+        {
+            record
+                .notes
+                .push(format!("azimuth {given} degrees, as given; its file states {stated}"));
+        }
         given.or(record.stated.azimuth).ok_or_else(|| {
             let problem = format!(
                 "the file of '{}' does not tell its azimuth; give degrees from north over east",
@@ -28,8 +35,8 @@ pub(in crate::scene) fn turned(
             SceneError::new(key, problem)
         })
     };
-    let first = of("horizontal_azimuth", &one, treatment.horizontal_azimuth)?;
-    let second = of("horizontal_2_azimuth", &other, treatment.horizontal_2_azimuth)?;
+    let first = of("horizontal_azimuth", &mut one, treatment.horizontal_azimuth)?;
+    let second = of("horizontal_2_azimuth", &mut other, treatment.horizontal_2_azimuth)?;
     let refused = |problem: String| Err(SceneError::new("horizontal_2", problem));
     let between = (second - first).rem_euclid(180.0);
     if (between - 90.0).abs() > OFF {
@@ -121,7 +128,12 @@ mod tests {
         };
         let none = Treatment::default();
         let given = Treatment { horizontal_2_azimuth: Some(318.0), ..none };
-        assert!(of(Some(228.0), None, given).is_ok());
+        assert_eq!(of(Some(228.0), None, given).unwrap().notes.len(), 1);
+        let over = of(Some(228.0), Some(90.0), given).unwrap().notes.join("\n");
+        assert!(
+            over.contains("component: azimuth 318 degrees, as given; its file states 90"),
+            "{over}"
+        );
         assert_eq!(of(Some(228.0), None, none).unwrap_err().key, "horizontal_2_azimuth");
         assert_eq!(of(None, Some(228.0), none).unwrap_err().key, "horizontal_azimuth");
         let askew = of(Some(10.0), Some(60.0), none).unwrap_err().to_string();

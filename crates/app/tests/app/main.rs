@@ -10,6 +10,8 @@ mod chart;
 mod columns;
 mod command;
 mod compare;
+mod contradictions;
+mod devices;
 mod docs_pictures;
 mod drivers;
 mod ending;

@@ -261,7 +261,7 @@ fn recordings_are_counted_by_their_stations() {
 fn every_file_that_is_not_used_is_told() {
     let folder = records();
     let at = |name: &str, text: &[u8]| fs::write(folder.path().join(name), text).unwrap();
-    at("notes.txt", b"mine");
+    at("notes.txt", b"the horizontal component is A090.AT2");
     let unnamed = Motion::made(200, Some(90)).csmip().text.replace("STATION NO. ABC", "");
     at("mine.v2", unnamed.as_bytes());
     at("A090.VT2", b"velocity");
@@ -295,6 +295,26 @@ fn every_file_that_is_not_used_is_told() {
     at("list.csv", b"file_h;file_v\nA090.AT2;A-UP.AT2\n");
     let (code, said) = told(folder.path(), &[]);
     assert!(code == 2 && said.contains("list.csv: it names A090.AT2, as a list does"), "{said}");
+    fs::remove_file(folder.path().join("list.csv")).unwrap();
+    for (name, text) in [
+        ("list.csv", "id|horizontal|vertical\none|A090.AT2|A-UP.AT2\n"),
+        ("list.csv", "id horizontal vertical\none A090.AT2 A-UP.AT2\n"),
+        ("list.txt", "id\thorizontal\tvertical\none\tA090.AT2\tA-UP.AT2\n"),
+    ] {
+        at(name, text.as_bytes());
+        let (code, said) = told(folder.path(), &[]);
+        assert!(code == 2 && said.contains("save it as CSV, with commas"), "{text}: {said}");
+        fs::remove_file(folder.path().join(name)).unwrap();
+    }
+    // Separators that a spreadsheet leaves are no columns, what stands behind them is one without a name.
+    at("list.csv", b"id,horizontal,vertical,,\none,A090.AT2,A-UP.AT2,,\n");
+    assert_eq!(told(folder.path(), &[]).0, 0);
+    at("list.csv", b"id,horizontal,vertical,,\none,A090.AT2,A-UP.AT2,1.5,\n");
+    let (code, said) = told(folder.path(), &[]);
+    assert!(
+        code == 2 && said.contains("line 2: '1.5' stands in a column without a name"),
+        "{said}"
+    );
     fs::remove_file(folder.path().join("list.csv")).unwrap();
     at("_SearchResults.xlsx", b"PK");
     let (code, said) = told(folder.path(), &[]);

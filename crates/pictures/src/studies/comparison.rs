@@ -180,7 +180,7 @@ fn entries(panels: &[Panel]) -> Vec<Entry> {
     for panel in panels {
         if let Shown::Strokes(_, Some((limit, line))) = panel.shown {
             let of = panel.name.trim_end_matches(" [m]");
-            entries.push(entry(Swatch::Line(line), format!("largest {of} = {limit} m")));
+            entries.push(entry(Swatch::Line(line), format!("limit of {of}: {limit} m")));
         }
         if matches!(panel.shown, Shown::Reserve) {
             let text = "largest factor on the motions up to which all limits are kept";

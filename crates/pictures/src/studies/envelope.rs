@@ -105,11 +105,11 @@ pub fn draw(envelope: &Envelope, title: &str, print: Print) -> Result<Option<Str
     let mut entries = Vec::new();
     entries.extend(feasible.then(|| entry(Swatch::Fill(FEASIBLE.0), "all limits are kept")));
     entries.extend(around.then(|| entry(Swatch::Line(STANDING), standing)));
-    let limit = |of: &str, limit: f64| format!("largest {of} = {limit} m");
+    let limit = |of: &str, limit: f64| format!("limit of {of}: {limit} m");
     let u = limits.u.filter(|_| of_u);
-    entries.extend(u.map(|u| entry(Swatch::Line(LIMIT_U), limit("|u|", u))));
+    entries.extend(u.map(|u| entry(Swatch::Line(LIMIT_U), limit("max |u|", u))));
     let v = limits.v.filter(|_| of_v);
-    entries.extend(v.map(|v| entry(Swatch::Line(LIMIT_V), limit("stroke of v", v))));
+    entries.extend(v.map(|v| entry(Swatch::Line(LIMIT_V), limit("the stroke of v", v))));
     if !feasible {
         entries.push(entry(Swatch::None, "No cell keeps all limits."));
     }

@@ -34,6 +34,10 @@ pub struct Compared {
     pub lifted: f64,
     /// Percentiles of the further columns, of the motions under which the block stands.
     pub columns: Vec<[f64; 3]>,
+    /// Motions, as they are, under which the contact force is tensile: the model does not hold there.
+    pub tensile: usize,
+    /// The least factor on the motions at which one meets the end stop, of 1 and those of the reserve; none where none does.
+    pub stop_from: Option<f64>,
     /// How much stronger the motions may be; none if it is not requested.
     pub reserve: Option<Reserve>,
     /// The annual rate of overturning; none without a hazard curve, and where no curve of a fragility is known.
@@ -70,8 +74,25 @@ impl Comparison {
             let lifted = plain.iter().filter(|motion| lifts(motion.outcomes[0]));
             let of_column =
                 |k: usize| percentiles(&plain, 0, move |motion: &SweptMotion| motion.others[k][0]);
+            let other = |column: Column| settings.others.iter().position(|other| *other == column);
+            let tensile = other(Column::MinContact)
+                .map_or(0, |k| plain.iter().filter(|motion| motion.others[k][0] < 0.0).count());
+            let stop_from = other(Column::StopHits).filter(|_| has_stop).and_then(|k| {
+                let hits = |place: &dyn Fn(&Shaken) -> usize| {
+                    let mut all = motions.iter().zip(shaken);
+                    all.any(|(motion, shaken)| motion.others[k][place(shaken)] > 0.0)
+                };
+                let at_scale = |(at, scale): (usize, &f64)| {
+                    hits(&|shaken| shaken.scales[at]).then_some(*scale)
+                };
+                let scales = settings.scales.iter().enumerate().filter_map(at_scale);
+                let plain = hits(&|shaken| shaken.plain).then_some(1.0);
+                scales.chain(plain).min_by(f64::total_cmp)
+            });
             let hazard = hazard.as_ref();
             Some(Compared {
+                tensile,
+                stop_from,
                 cell,
                 // A sum of nothing is a negative zero.
                 lifted: lifted.fold(0.0, |sum, motion| sum + motion.weight) / all,

@@ -8,7 +8,7 @@ use super::devices_error::DevicesError;
 use crate::suites::delimited;
 use topple::scene::parameters::Section;
 use topple::scene::shown::shown;
-use topple::scene::{Parameter, SceneBuilder, SceneError, keys};
+use topple::scene::{Directions, Parameter, SceneBuilder, SceneError, keys};
 
 /// The column of the names.
 const NAME: &str = "device";
@@ -28,6 +28,8 @@ pub struct Device {
     pub line: u64,
     /// The keys that it has a value of.
     own: Vec<&'static str>,
+    /// What all share, and its base has no use of: the numbers of a direction in which it does not move.
+    pub left_out: Vec<Parameter>,
 }
 
 impl Device {
@@ -257,7 +259,12 @@ fn device(
         // What all share of pendulums is not for other devices.
         scene.pressure = None;
     }
-    Ok(Device { name, scene, line, own })
+    let isolation = scene.isolation.unwrap_or(Directions::Dual);
+    let is_of_all =
+        |parameter: &Parameter| scene.numbers.has(*parameter) && !own.contains(&parameter.key());
+    let left_out: Vec<Parameter> = isolation.locked().filter(is_of_all).collect();
+    left_out.iter().for_each(|parameter| scene.numbers.remove(*parameter));
+    Ok(Device { name, scene, line, own, left_out })
 }
 
 #[cfg(test)]
@@ -271,9 +278,9 @@ mod tests {
 
     #[test]
     fn a_device_is_what_all_share_with_what_it_has_of_its_own() {
-        let text = "device,t_h,isolation,XI-V,object\n\"soft, old\",2.5,dual,,\nnone,,none,0.1,2\n";
+        let text = "device,t_h,isolation,XI-V,object\n\"soft, old\",2.5,dual,,\nnone,,none,0.1,2\nrigid,,none,,\n";
         let devices = read(text, &shared()).unwrap();
-        let [soft, none] = &devices[..] else { panic!("{devices:?}") };
+        let [soft, none, rigid] = &devices[..] else { panic!("{devices:?}") };
         assert_eq!((soft.name.as_str(), soft.line), ("soft, old", 2));
         let number = |device: &super::Device, parameter| {
             device.scene.numbers.get(parameter).and_then(Values::single)
@@ -284,6 +291,12 @@ mod tests {
         assert_eq!((soft.scene.object, soft.scene.isolation), (Some(1), Some(Directions::Dual)));
         assert_eq!((none.scene.object, none.scene.isolation), (Some(2), Some(Directions::None)));
         assert_eq!((number(none, Parameter::TH), number(none, Parameter::XiV)), (None, Some(0.1)));
+        // What all share means nothing of a base that does not move; its own stays, to be refused.
+        assert_eq!((number(rigid, Parameter::XiV), number(rigid, Parameter::UY)), (None, None));
+        assert!(
+            rigid.left_out.contains(&Parameter::XiV) && rigid.left_out.contains(&Parameter::UY)
+        );
+        assert_eq!((&soft.left_out[..], &none.left_out[..]), (&[][..], &[Parameter::UY][..]));
     }
 
     #[test]

@@ -15,6 +15,6 @@ mod table;
 pub use compared::{Compared, Comparison, Reserve};
 pub use devices::Device;
 pub use devices_error::{ComparisonError, DevicesError};
-pub use request::{ComparisonJob, ComparisonRequest, RateRequest, is_further};
+pub use request::{ComparisonJob, ComparisonRequest, RateRequest};
 pub use settings::ComparisonSettings;
-pub use table::{COLUMNS, RATES, RESERVE, further, write};
+pub use table::{COLUMNS, RATES, RESERVE, write};

@@ -8,14 +8,15 @@ use super::shaken::Shaken;
 use crate::fragility::HazardCurve;
 use crate::fragility::levels;
 use crate::statistics::Bootstrap;
+use crate::suites::columns::check_further;
 use crate::suites::envelope::Limits;
 use crate::suites::intensity::Intensity;
 use crate::suites::request::{SuiteRequest, above_zero};
 use crate::suites::settings::SuiteSettings;
 use crate::suites::swept::SuiteJob;
 use crate::suites::{Groups, Resample, Suite};
-use topple::results::columns::{Column, ColumnKind};
-use topple::scene::{Grid, SceneError, Values};
+use topple::results::columns::Column;
+use topple::scene::{Grid, Parameter, SceneError, Values};
 use topple::sweep::error::SweepError;
 use topple::work::observer::Observer;
 
@@ -93,10 +94,7 @@ impl ComparisonRequest {
         }
         let scales: Vec<f64> = self.scales.iter().flat_map(Values::iter).collect();
         above_zero("scales", &scales).map_err(of_scene)?;
-        if let Some(column) = self.columns.iter().find(|one| !is_number(**one)) {
-            let problem = format!("{} has names, not numbers; leave it out", column.entry().name);
-            return refused("columns", problem);
-        }
+        check_further(&self.columns).map_err(of_scene)?;
         let standing = Limits { u: None, v: None, ..self.limits };
         for device in &self.devices {
             let of = self.of(device);
@@ -154,14 +152,22 @@ impl ComparisonRequest {
             }
             all.push((&request.scene, motions));
         }
-        let settings =
-            SuiteSettings { others: self.columns.clone(), ..self.suite.settings.clone() };
+        let mut others = self.columns.clone();
+        let has_stop = |device: &Device| device.scene.numbers.has(Parameter::StopGap);
+        let stops = self.devices.iter().any(has_stop).then_some(Column::StopHits);
+        for column in stops.into_iter().chain([Column::MinContact]) {
+            if !others.contains(&column) {
+                others.push(column);
+            }
+        }
+        let settings = SuiteSettings { others: others.clone(), ..self.suite.settings.clone() };
         let sweep = SuiteJob::of_scenes(all, settings)?;
         let settings = ComparisonSettings {
             devices: self.devices.clone(),
             limits: self.limits,
             scales,
             columns: self.columns.clone(),
+            others,
             hazard: self.rate.as_ref().map(|rate| rate.hazard.clone()),
             groups,
             bootstrap: Bootstrap { replicates: Bootstrap::usual(1), seed: self.seed.into() },
@@ -169,16 +175,6 @@ impl ComparisonRequest {
         };
         Ok(ComparisonJob { sweep, settings })
     }
-}
-
-/// True of a column that has percentiles and is not in the table already.
-pub fn is_further(column: Column) -> bool {
-    is_number(column) && !matches!(column, Column::MaxU | Column::StrokeV)
-}
-
-/// True of a column of numbers.
-fn is_number(column: Column) -> bool {
-    matches!(column.entry().kind, ColumnKind::Number | ColumnKind::Count)
 }
 
 impl ComparisonJob {

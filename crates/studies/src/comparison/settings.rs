@@ -19,6 +19,8 @@ pub struct ComparisonSettings {
     pub scales: Vec<f64>,
     /// Columns whose percentiles are told, too.
     pub columns: Vec<Column>,
+    /// Those that the sweep was asked for: these, and what warnings are made of.
+    pub(super) others: Vec<Column>,
     /// The hazard of the site, where annual rates are told.
     pub hazard: Option<HazardCurve>,
     /// Which records are drawn together.

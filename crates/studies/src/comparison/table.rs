@@ -4,7 +4,6 @@ use std::io::{self, Write};
 
 use super::compared::{Compared, Comparison};
 use crate::suites::columns::{self, TableColumn, name, number};
-use topple::results::columns::Column;
 use topple::results::csv::Number;
 
 /// The columns that are always there.
@@ -59,22 +58,6 @@ pub const RATES: [TableColumn; 4] = [
     ),
 ];
 
-/// Percentiles of a column of a map, as parts of a table's names.
-const SHARES: [&str; 3] = ["50", "84", "100"];
-
-/// The names of the columns of percentiles of a column, with its unit and what each means.
-pub fn further(column: Column) -> [(String, &'static str, String); 3] {
-    let entry = column.entry();
-    let unit = if entry.unit.is_empty() { "1" } else { entry.unit };
-    SHARES.map(|share| {
-        let meaning = format!(
-            "what {share} % of the motions under which it stands do not exceed of: {}",
-            entry.meaning
-        );
-        (format!("{}_{share}", entry.name), unit, meaning)
-    })
-}
-
 /// Writes compare.csv.
 ///
 /// # Errors
@@ -90,12 +73,12 @@ pub fn write(comparison: &Comparison, writer: impl Write) -> io::Result<()> {
     if rates {
         names.extend(columns::names(&RATES).map(String::from));
     }
-    let others = settings.columns.iter().flat_map(|column| further(*column));
+    let others = settings.columns.iter().flat_map(|column| columns::further(*column));
     names.extend(others.map(|(name, ..)| name));
     table.write_record(names)?;
     let known = |value: f64| (!value.is_nan()).then_some(Number(value));
     let records = comparison.records();
-    for (name, Compared { cell, lifted, columns, reserve, rate }) in comparison.rows() {
+    for (name, Compared { cell, lifted, columns, reserve, rate, .. }) in comparison.rows() {
         let (u, v) = (cell.max_u.map(known), cell.stroke_v.map(known));
         let within = cell.overturned_within.map(|end| end.map(Number));
         let feasible = u8::from(cell.feasible);

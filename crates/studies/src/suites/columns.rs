@@ -1,7 +1,8 @@
 //! Columns of a suite's tables: the axes of its sweep, and the results of each cell or motion.
 
+use topple::results::columns::{Column, ColumnKind};
 use topple::results::csv::Number;
-use topple::scene::Grid;
+use topple::scene::{Grid, SceneError};
 
 /// The names of the axes.
 pub fn keys(grid: &Grid) -> impl Iterator<Item = &'static str> {
@@ -54,4 +55,44 @@ pub const fn measure(name: &'static str, meaning: &'static str) -> TableColumn {
 /// The names of a table's columns.
 pub fn names(columns: &[TableColumn]) -> impl Iterator<Item = &'static str> {
     columns.iter().map(|column| column.name)
+}
+
+/// Percentiles of a column of a map, as parts of a table's names.
+const SHARES: [&str; 3] = ["50", "84", "100"];
+
+/// The names of the columns of percentiles of a column, with its unit and what each means.
+pub fn further(column: Column) -> [(String, &'static str, String); 3] {
+    let entry = column.entry();
+    let unit = if entry.unit.is_empty() { "1" } else { entry.unit };
+    SHARES.map(|share| {
+        let meaning = format!(
+            "what {share} % of the motions under which it stands do not exceed of: {}",
+            entry.meaning
+        );
+        (format!("{}_{share}", entry.name), unit, meaning)
+    })
+}
+
+/// True of a column that has percentiles and is not in the table already.
+pub fn is_further(column: Column) -> bool {
+    is_number(column) && !matches!(column, Column::MaxU | Column::StrokeV)
+}
+
+/// True of a column of numbers.
+fn is_number(column: Column) -> bool {
+    matches!(column.entry().kind, ColumnKind::Number | ColumnKind::Count)
+}
+
+/// Refuses further columns that have no percentiles.
+///
+/// # Errors
+/// The first of them.
+pub fn check_further(columns: &[Column]) -> Result<(), SceneError> {
+    match columns.iter().find(|one| !is_number(**one)) {
+        Some(column) => {
+            let problem = format!("{} has names, not numbers; leave it out", column.entry().name);
+            Err(SceneError::new("columns", problem))
+        }
+        None => Ok(()),
+    }
 }

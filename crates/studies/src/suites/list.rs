@@ -10,6 +10,7 @@ use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
 use topple::scene::record::Units;
 use topple::scene::record::zips::MOST_FILES;
+use topple::scene::shown::shown;
 
 /// The columns that a list may have.
 const COLUMNS: [&str; 11] = [
@@ -88,6 +89,17 @@ pub fn matches(text: &str) -> bool {
     has("horizontal") && !has("arias")
 }
 
+/// True of a list whose fields are parted otherwise, or whose name is no list's: all words of its heading are columns, and
+/// `horizontal` is among them.
+pub(super) fn is_meant(text: &str) -> bool {
+    let heading = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+    let apart = |c: char| c.is_whitespace() || matches!(c, ',' | ';' | '|' | '"');
+    let words = heading.split(apart).filter(|word| !word.is_empty()).map(str::to_lowercase);
+    let words: Vec<String> = words.collect();
+    let is_column = |word: &String| COLUMNS.contains(&word.as_str());
+    words.iter().all(is_column) && words.iter().any(|word| word == "horizontal")
+}
+
 /// True of a table that `topple suite` has made.
 pub fn is_measures(text: &str) -> bool {
     let names = headings(text);
@@ -111,7 +123,7 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
                 .into(),
         );
     }
-    if let Some(other) = names.iter().find(|heading| !COLUMNS.contains(heading)) {
+    if let Some(other) = names.iter().find(|name| !COLUMNS.contains(name) && !name.is_empty()) {
         return Err(format!(
             "line 1: no column is called '{other}'; there are {}",
             COLUMNS.join(",")
@@ -121,10 +133,23 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
     let written = text.lines().enumerate().filter(|(_, line)| !line.is_empty());
     let lines: Vec<usize> = written.map(|(number, _)| number + 1).collect();
     let (mut entries, mut ids) = (Vec::<Entry>::new(), BTreeSet::new());
-    let rows = reader.records().map(|row| row.and_then(|row| row.deserialize::<Row>(Some(&names))));
-    for (number, row) in rows.enumerate() {
+    for (number, row) in reader.records().enumerate() {
         let at = lines.get(number + 1).copied().unwrap_or(number + 2);
         within(at, entries.len())?;
+        // Spreadsheets leave separators at the ends of rows; what stands there has no name.
+        let unnamed = row
+            .iter()
+            .flatten()
+            .zip(&names)
+            .find(|(field, name)| name.is_empty() && !field.is_empty());
+        if let Some((field, _)) = unnamed {
+            return Err(format!(
+                "line {at}: '{}' stands in a column without a name; name it, one of {}",
+                shown(field),
+                COLUMNS.join(",")
+            ));
+        }
+        let row = row.and_then(|row| row.deserialize::<Row>(Some(&names)));
         let row = row.map_err(|error| match error.kind() {
             csv::ErrorKind::Deserialize { err, .. } => format!("line {at}: {err}"),
             csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {

@@ -71,6 +71,15 @@ fn why(name: &str, files: &Files, listed: bool) -> Result<String, String> {
     if list::is_measures(&text) {
         return Ok("a table that topple suite has made".into());
     }
+    if list::is_meant(&text)
+        && let Some(file) = names_a_file(&text, files)
+    {
+        return Err(format!(
+            "it names {}, and its heading is that of a list; save it as CSV, with commas between its fields and \
+             a name that ends with .csv",
+            shown::shown(file)
+        ));
+    }
     if matches!(by_ending.as_str(), "csv" | "tsv")
         && let Some(file) = names_a_file(&text, files)
     {
@@ -98,7 +107,7 @@ fn is_called_a_list(name: &str) -> bool {
 
 /// A file of the suite that stands in a table of text, as a field of its own.
 fn names_a_file<'a>(text: &'a str, files: &Files) -> Option<&'a str> {
-    let fields = text.lines().take(200).flat_map(|line| line.split([',', ';', '\t']));
+    let fields = text.lines().take(200).flat_map(|line| line.split([',', ';', '\t', '|', ' ']));
     fields
         .map(|field| field.trim().trim_matches('"'))
         .find(|field| field.contains('.') && field.parse::<f64>().is_err() && files.has(field))

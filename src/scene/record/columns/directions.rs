@@ -1,9 +1,10 @@
 //! The direction of a component that words above plain numbers state.
 
+use super::super::clock::Clock;
+use super::super::component;
 use super::super::numbers::number;
-use super::super::times::Clock;
 use super::super::{Component, Units};
-use super::words::{TIMES, is_acceleration, tokens, without_brackets};
+use super::words::{self, TIMES, is_acceleration, tokens, without_brackets};
 
 /// Directions that mean nothing else where they stand in capitals.
 const DIRECTIONS: [&str; 8] = ["UD", "U-D", "NS", "N-S", "EW", "E-W", "NORTH-SOUTH", "EAST-WEST"];
@@ -24,8 +25,11 @@ const BESIDE: [&str; 12] = [
     "direction",
 ];
 
+/// A component, and its azimuth where it is horizontal and that is known.
+type Direction = (Component, Option<f64>);
+
 /// The direction that words state: `component: UD`, a direction in capitals, `vertical acc`.
-pub(super) fn component(words: &str) -> Option<Component> {
+pub(super) fn stated(words: &str) -> Option<Direction> {
     let lower = words.to_lowercase();
     let keyed = ["component", "comp", "direction", "dir", "channel", "orientation", "azimuth"]
         .iter()
@@ -34,14 +38,16 @@ pub(super) fn component(words: &str) -> Option<Component> {
             let value = rest.strip_prefix([':', '='])?;
             value.split([',', ';']).next().map(str::trim)
         });
+    let told = |word: &str| Some((Component::named(word)?, component::azimuth(word)));
     if let Some(value) = keyed {
-        return Component::named(value).or_else(|| Component::of_channel(value));
+        let channel = || Some((Component::of_channel(value)?, component::azimuth(value)));
+        return told(value).or_else(channel);
     }
-    let mut found: Vec<Component> = tokens(words)
+    let mut found: Vec<Direction> = tokens(words)
         .map(|word| word.trim_matches(['(', ')', '[', ']', '.']))
         .filter(|word| DIRECTIONS.contains(word))
         .filter_map(|word| {
-            Component::named(match word {
+            told(match word {
                 "NORTH-SOUTH" => "NS",
                 "EAST-WEST" => "EW",
                 word => word,
@@ -52,10 +58,11 @@ pub(super) fn component(words: &str) -> Option<Component> {
     let plain = without_brackets(&lower);
     let mut directions = Vec::new();
     let known = tokens(&plain).all(|word| {
-        let component = Some(word).filter(|word| word.len() > 1).and_then(Component::named);
-        let component = component.filter(|_| number(word).is_none());
-        directions.extend(component);
-        component.is_some()
+        // Of single letters z alone is no other thing.
+        let direction = Some(word).filter(|word| word.len() > 1 || *word == "z").and_then(told);
+        let direction = direction.filter(|_| number(word).is_none());
+        directions.extend(direction);
+        direction.is_some()
             || is_acceleration(word)
             || BESIDE.contains(&word)
             || TIMES.contains(&word)
@@ -65,14 +72,61 @@ pub(super) fn component(words: &str) -> Option<Component> {
     if known {
         found.extend(directions);
     }
-    let first = *found.first()?;
-    found.iter().all(|one| *one == first).then_some(first)
+    let (first, azimuth) = *found.first()?;
+    let azimuth = azimuth.filter(|_| found.iter().all(|(_, other)| *other == azimuth));
+    found.iter().all(|(one, _)| *one == first).then_some((first, azimuth))
+}
+
+/// The way in which a vertical is positive, by words such as `positive down`, `polarity: up`, `(+ down)`.
+pub(super) fn polarity(words: &str) -> Option<Component> {
+    const FILLING: [&str; 12] = [
+        "is",
+        "are",
+        "direction",
+        "dir",
+        "motion",
+        "values",
+        "acceleration",
+        "for",
+        "of",
+        "the",
+        "ve",
+        "means",
+    ];
+    let lower = words.to_lowercase().replace('+', " positive ");
+    let words: Vec<&str> = lower
+        .split(|c: char| !c.is_alphabetic())
+        .filter(|word| !word.is_empty() && !FILLING.contains(word))
+        .collect();
+    let way = |word: Option<&&str>| match *word? {
+        "down" | "downward" | "downwards" | "dwn" => Some(Component::Down),
+        "up" | "upward" | "upwards" => Some(Component::Up),
+        _ => None,
+    };
+    let key = |word: &&str| matches!(*word, "positive" | "pos" | "polarity" | "convention");
+    words
+        .iter()
+        .enumerate()
+        .filter(|(_, word)| key(word))
+        .find_map(|(at, _)| way(words.get(at + 1)).or_else(|| way(words.get(at.checked_sub(1)?))))
+}
+
+/// The azimuth that a column's name tells: of a number alone three digits, as others count columns.
+pub(super) fn azimuth_of_column(name: &str) -> Option<f64> {
+    let of = |word: &str| {
+        let counts = word.len() < 3 && number(word).is_some();
+        component::azimuth(word).filter(|_| !counts)
+    };
+    of(without_brackets(name).trim()).or_else(|| of(words::direction(name)))
 }
 
 /// The direction that a column's name tells: `NS (g)`, `acc-UD`, `IWT010.UD1`, `HNZ`, `Up-Down`, `Z (down)`.
 pub(super) fn of_column(name: &str) -> Option<Component> {
     let lower = name.to_lowercase();
     let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
+    if let Some(way) = polarity(name) {
+        return Some(way);
+    }
     if has(&["down", "dwn"]) && !has(&["up"]) {
         return Some(Component::Down);
     }
@@ -92,7 +146,8 @@ pub(super) fn of_column(name: &str) -> Option<Component> {
     let bare = prefixes.iter().find_map(|prefix| plain.strip_prefix(prefix)).unwrap_or(plain);
     let bare = bare.trim_start_matches(['-', '_', '.', ' ', ':']);
     let last = bare.rsplit(['.', '_', ' ', ':']).next().unwrap_or_default();
-    component(name).or_else(|| told(bare)).or_else(|| told(last))
+    let stated = stated(name).map(|(component, _)| component);
+    stated.or_else(|| told(bare)).or_else(|| told(last))
 }
 
 #[cfg(test)]
@@ -116,8 +171,10 @@ mod tests {
             ("Kobe JMA NS", Horizontal),
             ("Acceleration (UD) in gal", Up),
             ("north acceleration in g", Horizontal),
+            ("time (s), acc_z (g)", Up),
+            ("Z", Up),
         ] {
-            assert_eq!(component(words), Some(wanted), "{words}");
+            assert_eq!(stated(words).map(|(one, _)| one), Some(wanted), "{words}");
         }
         for words in [
             "North Palm Springs",
@@ -126,11 +183,57 @@ mod tests {
             "rotated from NS and UD",
             "Vertical array 3",
             "t (ns) a (g)",
-            "time (s), acc_z (g)",
+            "time (s), acc_y (g)",
             "a v",
             "down the hill",
         ] {
-            assert_eq!(component(words), None, "{words}");
+            assert_eq!(stated(words), None, "{words}");
+        }
+    }
+
+    #[test]
+    fn words_tell_which_way_is_positive() {
+        use Component::{Down, Up};
+        for (words, wanted) in [
+            ("polarity: down", Some(Down)),
+            ("Polarity = DOWN", Some(Down)),
+            ("Vertical acceleration, positive-downwards", Some(Down)),
+            ("UD (down positive)", Some(Down)),
+            ("sign: positive = down", Some(Down)),
+            ("positive direction is down", Some(Down)),
+            ("acc (+ down)", Some(Down)),
+            ("+ve down", Some(Down)),
+            ("polarity: up", Some(Up)),
+            ("up is positive", Some(Up)),
+            ("polarity: reversed", None),
+            ("down the hill, positive", None),
+            ("scaled up by +0.5", None),
+            ("DOWN", None),
+        ] {
+            assert_eq!(polarity(words), wanted, "{words}");
+        }
+    }
+
+    #[test]
+    fn azimuths_are_told_by_words_and_by_the_names_of_columns() {
+        for (words, azimuth) in [
+            ("component: N107E", Some(107.0)),
+            ("azimuth: 17", Some(17.0)),
+            ("N107E", Some(107.0)),
+            ("Kobe JMA EW", Some(90.0)),
+            ("NS, EW", None),
+        ] {
+            assert_eq!(stated(words).and_then(|(_, azimuth)| azimuth), azimuth, "{words}");
+        }
+        for (name, azimuth) in [
+            ("EW (g)", Some(90.0)),
+            ("acc_N107E [g]", Some(107.0)),
+            ("228 (m/s2)", Some(228.0)),
+            ("090 Deg (g)", Some(90.0)),
+            ("CH 2 (g)", None),
+            ("UD (g)", None),
+        ] {
+            assert_eq!(azimuth_of_column(name), azimuth, "{name}");
         }
     }
 }

@@ -1,10 +1,14 @@
 //! Plain numbers: one column of values, or time and value, with blanks, tabs, commas or semicolons between. Beside
 //! semicolons a comma is a decimal one. A row with the count of the samples, or with the count and the step, may stand
-//! before them; after it several values may stand in a row. Other rows of three numbers and more are in `table`.
+//! before them; after it several values may stand in a row. Other rows of three numbers and more are in `several`.
 
 mod directions;
+mod named;
 mod rows;
+mod several;
 mod table;
+#[cfg(test)]
+mod tests;
 mod told;
 mod values;
 mod words;
@@ -67,7 +71,7 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
             return Err(empty_row(empty));
         }
         // Asked of the first row alone: what looks at the lines above reads the text again.
-        let is_several = |columns: usize| columns > 2 || columns == 2 && table::is_pair(text, at);
+        let is_several = |columns: usize| columns > 2 || columns == 2 && named::is_pair(text, at);
         if rows.are_none() && is_several(numbers.len()) {
             return of_table(text, at, hints, told, title, commas);
         }
@@ -91,7 +95,7 @@ fn of_table(
     title: String,
     commas: bool,
 ) -> Result<Raw, RecordError> {
-    let mut raw = table::read(text, at, hints, told, title)?;
+    let mut raw = several::read(text, at, hints, told, title)?;
     raw.notes.extend(commas.then(|| DECIMAL_COMMAS.to_string()));
     Ok(raw)
 }
@@ -100,7 +104,7 @@ fn of_table(
 fn titled(mut raw: Raw, title: String) -> Raw {
     let stated = Stated::of_title(&title);
     if !stated.event.is_empty() {
-        raw.stated = stated;
+        raw.stated = Stated { start: raw.stated.start, ..stated };
     }
     raw.title = title;
     raw

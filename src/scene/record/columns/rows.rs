@@ -1,10 +1,10 @@
 //! The rows of plain numbers: values, times and values, or values that run on below a count.
 
-use super::told::Told;
+use super::told::{Timed, Told};
 use crate::scene::record::lines::MOST_SAMPLES;
 use crate::scene::record::numbers::free;
 use crate::scene::record::times::Times;
-use crate::scene::record::{Raw, RecordError, Step};
+use crate::scene::record::{Raw, RecordError, Stated, Step};
 use crate::scene::shown::shown;
 
 /// Fewest samples that a count is taken for one of.
@@ -64,6 +64,13 @@ pub(super) fn too_many(at: usize, columns: usize, line: &str) -> RecordError {
         at,
         format!("{what} here; one of values, or two of time and value, are read{hint}"),
     )
+}
+
+/// What was read of rows of times and values.
+fn of_times(timed: Timed, values: Vec<f64>, mut notes: Vec<String>) -> Raw {
+    notes.extend(timed.note);
+    let stated = Stated { start: timed.start, ..Stated::default() };
+    Raw { stated, step: Some(timed.step), values, notes, ..Raw::default() }
 }
 
 impl Rows {
@@ -146,11 +153,11 @@ impl Rows {
                 return Ok(Raw { step: Some(Step::exact(below)), values, notes, ..Raw::default() });
             }
             if two && exactly(rows) {
-                let (found, more) = told.step_of(&times, given, step)?;
-                if step.is_none_or(|step| (step - found.seconds).abs() <= 0.01 * found.seconds) {
+                let timed = told.step_of(&times, given, step)?;
+                let found = timed.step.seconds;
+                if step.is_none_or(|step| (step - found).abs() <= 0.01 * found) {
                     let values = values.chunks(2).map(|row| row[1]).collect();
-                    let notes = note(what).into_iter().chain(more).collect();
-                    return Ok(Raw { step: Some(found), values, notes, ..Raw::default() });
+                    return Ok(of_times(timed, values, note(what)));
                 }
             }
             let backwards = two && times.first().is_some_and(|time| first.numbers[0] > time);
@@ -179,17 +186,22 @@ impl Rows {
             let mut all = Times::default();
             all.add(first.at, free(&first.text).first().unwrap_or(&""), first.numbers[0]);
             all.append(times);
-            let (step, note) = told.step_of(&all, given, None)?;
+            let timed = told.step_of(&all, given, None)?;
             let mut samples = Vec::with_capacity(rows + 1);
             samples.push(first.numbers[1]);
             match values.len() == rows {
                 true => samples.append(&mut values),
                 false => samples.extend(values.chunks(2).map(|row| row[1])),
             }
-            let notes = note.into_iter().collect();
-            return Ok(Raw { step: Some(step), values: samples, notes, ..Raw::default() });
+            return Ok(of_times(timed, samples, Vec::new()));
         }
+        let said = format!(
+            "line {}: '{}' is taken for a sample, and is the step that is given",
+            first.at,
+            shown(&first.text)
+        );
+        let notes = (given == Some(first.numbers[0])).then_some(said).into_iter().collect();
         values.insert(0, first.numbers[0]);
-        Ok(Raw { values, ..Raw::default() })
+        Ok(Raw { values, notes, ..Raw::default() })
     }
 }

@@ -1,8 +1,9 @@
 //! What a file of plain numbers tells of them in words: in its heading, and in comments above the samples.
 
+use super::super::clock::Clock;
 use super::super::hints::RecordHints;
-use super::super::times::{self, Clock, Times};
-use super::super::{Component, Raw, RecordError, Step, Units};
+use super::super::times::{self, Times};
+use super::super::{Component, DIGITS, Raw, RecordError, Step, Units, rounded};
 use super::{directions, values, words};
 use crate::scene::shown::shown;
 
@@ -17,12 +18,23 @@ pub(super) struct Told {
     units: Option<(usize, String)>,
     clock: Option<(usize, Result<Clock, String>)>,
     component: Option<(usize, Component)>,
+    azimuth: Option<(usize, f64)>,
+    polarity: Option<(usize, Component)>,
     step: Option<(usize, f64)>,
     count: Option<(usize, usize)>,
     /// What comments state, in a sentence each.
     notes: Vec<String>,
     /// The step that is given beside the file, s.
     given: Option<f64>,
+}
+
+/// What a column of times tells.
+pub(super) struct Timed {
+    pub step: Step,
+    /// The time of the first sample, s, where the unit is known.
+    pub start: Option<f64>,
+    /// What has to be said of it.
+    pub note: Option<String>,
 }
 
 /// Puts what a line states where nothing or the same was stated before.
@@ -69,8 +81,32 @@ impl Told {
         self.put_units(at, units)?;
         put(&mut self.clock, at, words::clock(line), "a unit of the times")?;
         self.put_numbers(at, line)?;
-        put(&mut self.component, at, directions::component(line), "a direction")?;
+        self.put_direction(at, directions::stated(line))?;
+        if let Some(name) = words::lone_column(line)
+            && let Some(component) = directions::of_column(&name)
+            && self.component.is_none()
+        {
+            self.put_direction(at, Some((component, directions::azimuth_of_column(&name))))?;
+        }
+        put(&mut self.polarity, at, directions::polarity(line), "a polarity")?;
+        self.note_factor(at, line);
         Ok(found)
+    }
+
+    fn put_direction(
+        &mut self,
+        at: usize,
+        stated: Option<(Component, Option<f64>)>,
+    ) -> Result<(), RecordError> {
+        let (component, azimuth) = stated.unzip();
+        put(&mut self.component, at, component, "a direction")?;
+        put(&mut self.azimuth, at, azimuth.flatten(), "a direction")?;
+        Ok(())
+    }
+
+    /// Leaves out what was told of a direction: of a file of several columns, that may be another one's.
+    pub fn forget_direction(&mut self) {
+        (self.component, self.azimuth) = (None, None);
     }
 
     /// Takes up a comment: what it states of the units, the step, the count and the direction.
@@ -91,11 +127,20 @@ impl Told {
         }
         self.put_numbers(at, words)?;
         let keyed = words.contains([':', '=']) && !of_columns;
-        let component = (of_columns || keyed || words.split_whitespace().count() == 1)
-            .then(|| directions::component(words))
+        let direction = (of_columns || keyed || words.split_whitespace().count() == 1)
+            .then(|| directions::stated(words))
             .flatten();
-        put(&mut self.component, at, component, "a direction")?;
+        self.put_direction(at, direction)?;
+        put(&mut self.polarity, at, directions::polarity(words), "a polarity")?;
+        self.note_factor(at, words);
         Ok(())
+    }
+
+    /// Says of a factor on the values that it is not applied: nobody knows whether it was.
+    fn note_factor(&mut self, at: usize, words: &str) {
+        if let Some(factor) = values::factor(words) {
+            self.notes.push(format!("line {at} states a factor of {factor}, which is not applied"));
+        }
     }
 
     fn put_units(&mut self, at: usize, units: Option<String>) -> Result<bool, RecordError> {
@@ -124,8 +169,8 @@ impl Told {
         Ok(())
     }
 
-    /// The step of a column of times: the one that is given, or stated in words or in a row, where the times agree with
-    /// it to their digits; and what has to be said of it.
+    /// What a column of times tells. Its step is the one that is given, or stated in words or in a row, where the times
+    /// agree with it to their digits.
     ///
     /// # Errors
     /// Uneven times, times of a unit that is not known, and a step that the times contradict.
@@ -134,8 +179,10 @@ impl Told {
         times: &Times,
         given: Option<f64>,
         row: Option<f64>,
-    ) -> Result<(Step, Option<String>), RecordError> {
+    ) -> Result<Timed, RecordError> {
         let second = Clock::default();
+        let begins =
+            |clock: &Clock| times.first().map(|first| rounded(first * clock.seconds, DIGITS));
         let (at, clock) = match &self.clock {
             None => (0, None),
             Some((at, Ok(clock))) => (*at, Some(clock)),
@@ -151,7 +198,7 @@ impl Told {
                 times::step(times, None, &second)?;
                 let note =
                     format!("times in '{word}' are not read: the step is {given} s, as given");
-                return Ok((Step::exact(given), Some(note)));
+                return Ok(Timed { step: Step::exact(given), start: None, note: Some(note) });
             }
         };
         let stated = self.step.map(|(_, step)| step);
@@ -167,13 +214,14 @@ impl Told {
         }
         if let Some(clock) = clock.filter(|clock| clock.seconds != 1.0) {
             let note = format!("the times are in {} by line {at}", clock.word);
-            return Ok((found, Some(note)));
+            return Ok(Timed { step: found, start: begins(clock), note: Some(note) });
         }
         match given {
             Some(given) if clock.is_none() && found.seconds > LONGEST => {
-                other_unit(found, given).map(|note| (Step::exact(given), Some(note)))
+                let note = Some(other_unit(found, given)?);
+                Ok(Timed { step: Step::exact(given), start: None, note })
             }
-            _ => Ok((found, None)),
+            _ => Ok(Timed { step: found, start: begins(&second), note: None }),
         }
     }
 
@@ -212,7 +260,15 @@ impl Told {
             }
         }
         raw.units = self.units;
-        raw.stated.component = raw.stated.component.or(self.component.map(|(_, one)| one));
+        let stated = &mut raw.stated;
+        stated.component = stated.component.or(self.component.map(|(_, one)| one));
+        stated.azimuth = stated.azimuth.or(self.azimuth.map(|(_, azimuth)| azimuth));
+        // A horizontal component has no such way, and that up is positive says nothing of which component it is.
+        match (self.polarity, stated.component) {
+            (_, Some(Component::Horizontal)) | (None, _) => {}
+            (Some((_, Component::Up)), None) => {}
+            (Some((_, way)), _) => stated.component = Some(way),
+        }
         Ok(raw)
     }
 }

@@ -1,7 +1,7 @@
 //! The step and the count of samples that words above plain numbers state.
 
+use super::super::clock::Clock;
 use super::super::numbers::after;
-use super::super::times::Clock;
 
 /// Names of a step in a statement of it, and of a rate; longer ones first.
 const STEPS: [&str; 8] = [
@@ -36,6 +36,22 @@ pub(super) fn count(words: &str) -> Option<usize> {
     let lower = words.to_lowercase();
     let (value, _) = COUNTS.iter().find_map(|key| valued(&lower, key))?;
     (value >= 2.0 && value.fract() == 0.0 && value < 1.0e9).then_some(value as usize)
+}
+
+/// A factor on the values that words state: `scale factor: 0.001`, `multiply by 9.81`.
+pub(super) fn factor(words: &str) -> Option<f64> {
+    const KEYS: [&str; 7] = [
+        "scale factor",
+        "scaling factor",
+        "conversion factor",
+        "calibration factor",
+        "multiply by",
+        "multiplier",
+        "gain",
+    ];
+    let lower = words.to_lowercase();
+    let (factor, _) = KEYS.iter().find_map(|key| valued(&lower, key))?;
+    (factor != 1.0).then_some(factor)
 }
 
 /// The number behind a key, and the word of its unit, in brackets before it or after it.
@@ -86,5 +102,9 @@ mod tests {
         assert_eq!(count("NPTS=4000, DT=0.01"), Some(4000));
         assert_eq!(count("number of points: 12"), Some(12));
         assert_eq!(count("NPTS=0.5"), None);
+        assert_eq!(factor("Scale factor: 0.001"), Some(0.001));
+        assert_eq!(factor("multiply by 9.81 for m/s2"), Some(9.81));
+        assert_eq!(factor("scale factor = 1.0"), None);
+        assert_eq!(factor("again 3"), None);
     }
 }

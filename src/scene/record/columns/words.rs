@@ -1,8 +1,8 @@
 //! The words that stand above plain numbers: in which of them a unit is stated. Others are in `values` and `directions`.
 
 use super::super::Units;
+use super::super::clock::Clock;
 use super::super::numbers::number;
-use super::super::times::Clock;
 
 /// Names of a column of times.
 pub(super) const TIMES: [&str; 7] = ["time", "times", "t", "zeit", "temps", "tiempo", "tempo"];
@@ -97,6 +97,20 @@ pub(super) fn columns(line: &str) -> Vec<String> {
     names
 }
 
+/// The name of the one column of values in a line that names it, beside a column of times or alone with its units:
+/// `Time (s), NS (g)`, `NS (g)`.
+pub(super) fn lone_column(line: &str) -> Option<String> {
+    let mut names = columns(line);
+    let is_time = |name: &String| parts(name).first().is_some_and(|part| TIMES.contains(&&**part));
+    let has_units = |name: &String| bracket(name).is_some_and(Units::are_meant);
+    let is_one = match &names[..] {
+        [time, _] => is_time(time),
+        [name] => has_units(name),
+        _ => false,
+    };
+    names.pop().filter(|_| is_one)
+}
+
 /// What stands in the last bracket of a name.
 pub(super) fn bracket(name: &str) -> Option<&str> {
     in_brackets(name).pop()
@@ -127,9 +141,33 @@ pub(super) fn says_integral(name: &str) -> bool {
     })
 }
 
-/// True of names of columns of which all but the times are velocities, displacements or spectra.
+/// True of the unit of a length or of a velocity.
+pub(super) fn is_length(text: &str) -> bool {
+    let units = ["m", "cm", "mm", "in", "m/s", "cm/s", "mm/s", "in/s"];
+    units.contains(&&*text.trim().to_lowercase())
+}
+
+/// True of names of columns of which all but the times are velocities, displacements or spectra, by their words or by
+/// their units.
 pub(super) fn are_integrals(line: &str) -> bool {
     let names = columns(line);
+    let measured = |name: &str| bracket(name).is_some_and(is_length);
+    if let Some(name) = lone_column(line) {
+        return says_integral(&name) || measured(&name);
+    }
+    if let [name] = &names[..] {
+        // A word alone may be a place.
+        let is_name = line.contains(['(', '[', '_']);
+        let directed = || super::directions::of_column(name).is_some();
+        return is_name && (says_integral(name) || measured(name) && directed());
+    }
+    let is_acceleration = names.iter().any(|name| says_acceleration(name));
+    if !is_acceleration
+        && names.iter().any(|name| says_integral(name))
+        && names.iter().any(|name| measured(name))
+    {
+        return in_brackets(line).iter().all(|text| Units::named(text).is_none());
+    }
     names.len() > 1
         && names.len() <= 12
         && names.iter().any(|name| says_integral(name))

@@ -13,6 +13,7 @@ use super::resample::Groups;
 use super::swept::SuiteSweep;
 use super::swept_motion::{SweptMotion, Values};
 use crate::statistics::{Bootstrap, DrawnGroups, quantile};
+use topple::results::columns::Column;
 use topple::stepping::outcome::Class;
 
 /// The limits that a base must keep.
@@ -40,12 +41,15 @@ pub struct EnvelopeSettings {
     pub times: usize,
     /// What intervals of the share that overturns are made of; none are told without it.
     pub intervals: Option<(Groups, Bootstrap)>,
+    /// Columns of a map whose percentiles are told, too: those that the sweep was asked for besides.
+    pub columns: Vec<Column>,
 }
 
 impl EnvelopeSettings {
     /// Limits alone: every motion once, no intervals.
     pub fn of(limits: Limits) -> EnvelopeSettings {
-        EnvelopeSettings { limits, best: Best::default(), times: 1, intervals: None }
+        let columns = Vec::new();
+        EnvelopeSettings { limits, best: Best::default(), times: 1, intervals: None, columns }
     }
 }
 
@@ -102,6 +106,12 @@ impl Envelope {
             cell.reserve = reserve;
         }
         Envelope { sweep, settings, cells }
+    }
+
+    /// Percentiles of the further columns in a cell, of the motions under which the block stands.
+    pub fn further(&self, cell: usize) -> impl Iterator<Item = [f64; 3]> {
+        (0..self.settings.columns.len())
+            .map(move |k| percentiles(&self.sweep.motions, cell, |motion| motion.others[k][cell]))
     }
 
     /// How many records there are; each has as many motions as there are points of what is not known.

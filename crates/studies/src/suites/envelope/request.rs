@@ -3,11 +3,13 @@
 use super::{Best, Envelope, EnvelopeSettings, Limits};
 use crate::statistics::Bootstrap;
 use crate::suites::Suite;
+use crate::suites::columns::check_further;
 use crate::suites::request::SuiteRequest;
 use crate::suites::resample::{Groups, Resample};
 use crate::suites::swept::SuiteJob;
 use crate::suites::wanted::WantedMotion;
 use crate::uncertain::{SAMPLES, Varied, check_samples, checked_points};
+use topple::results::columns::Column;
 use topple::scene::{Parameter, SceneError};
 use topple::sweep::error::SweepError;
 use topple::work::observer::Observer;
@@ -41,6 +43,8 @@ pub struct EnvelopeRequest {
     pub limits: Limits,
     /// Which of the feasible cells is called the best.
     pub best: Best,
+    /// Columns of a map whose percentiles are also given.
+    pub columns: Vec<Column>,
     /// What is resampled for the intervals; by default events if there are enough, else recordings.
     pub resample: Option<Resample>,
     /// Numbers that are not known: shares are of the motions at all their points.
@@ -66,6 +70,7 @@ impl EnvelopeRequest {
             suite,
             limits,
             best: Best::default(),
+            columns: Vec::new(),
             resample: None,
             vary: Vec::new(),
             samples: SAMPLES,
@@ -79,6 +84,7 @@ impl EnvelopeRequest {
     /// The first key at fault, with what to do.
     pub fn check(&self) -> Result<(), SceneError> {
         check_samples(self.samples)?;
+        check_further(&self.columns)?;
         self.suite.check()?;
         self.suite.check_envelope(&self.limits)
     }
@@ -101,11 +107,15 @@ impl EnvelopeRequest {
             times = points.len();
             motions = WantedMotion::spread(&motions, &parameters, points.iter());
         }
-        let sweep = self.suite.open_under(motions)?;
+        let mut request = self.suite.clone();
+        request.settings.others.clone_from(&self.columns);
+        let sweep = request.open_under(motions)?;
         let replicates = Bootstrap::usual(sweep.grid.len());
         let bootstrap = Bootstrap { replicates, seed: self.seed.into() };
         let intervals = Some((groups, bootstrap));
-        let settings = EnvelopeSettings { limits: self.limits, best: self.best, times, intervals };
+        let columns = self.columns.clone();
+        let settings =
+            EnvelopeSettings { limits: self.limits, best: self.best, times, intervals, columns };
         Ok(EnvelopeJob { sweep, settings })
     }
 }

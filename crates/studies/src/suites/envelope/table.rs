@@ -51,7 +51,10 @@ pub const ZETA_COLUMNS: [TableColumn; 3] = [
 pub fn write(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
     let grid = &envelope.sweep.grid;
     let mut table = csv::Writer::from_writer(writer);
-    table.write_record(columns::keys(grid).chain(columns::names(&COLUMNS)))?;
+    let further = envelope.settings.columns.iter().flat_map(|column| columns::further(*column));
+    let further = further.map(|(name, ..)| name);
+    let names = columns::keys(grid).chain(columns::names(&COLUMNS)).map(String::from);
+    table.write_record(names.chain(further))?;
     let records = envelope.records();
     let known = |value: f64| (!value.is_nan()).then_some(Number(value));
     for (index, cell) in envelope.cells.iter().enumerate() {
@@ -60,7 +63,8 @@ pub fn write(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
         let (u, v) = (cell.max_u.map(known), cell.stroke_v.map(known));
         let within = cell.overturned_within.map(|end| end.map(Number));
         let feasible = u8::from(cell.feasible);
-        table.serialize((axes, records, shares, u, v, feasible, cell.reserve, within))?;
+        let further: Vec<_> = envelope.further(index).flatten().map(known).collect();
+        table.serialize((axes, records, shares, u, v, feasible, cell.reserve, within, further))?;
     }
     table.flush()
 }

@@ -1,0 +1,4 @@
+//! What plain files are taken for.
+
+mod motions;
+mod several;

@@ -1,0 +1,115 @@
+//! Files of other programs, known by their first bytes: what they are, and what to do.
+
+/// What to do with what Python packages read.
+macro_rules! by_python {
+    ($what:literal, $how:literal) => {
+        concat!(
+            $what,
+            "; read it in Python (",
+            $how,
+            ") and give topple.seismic the array with dt and units"
+        )
+    };
+}
+
+/// What to do with what obspy reads.
+macro_rules! by_obspy {
+    ($what:literal) => {
+        concat!(
+            $what,
+            "; in Python give topple.seismic(horizontal=obspy.read(\"FILE\"), units=...), or write its samples as text"
+        )
+    };
+}
+
+/// How files of other programs begin.
+const BEGIN: [(&[u8], &str); 13] = [
+    // The old format of Excel is an OLE file.
+    (b"\xd0\xcf\x11\xe0", "a spreadsheet (.xls); save its sheet as CSV and give that"),
+    (b"MS\x03", MINISEED),
+    (b"MATLAB 5.0", by_python!("a file of MATLAB (.mat)", "scipy.io.loadmat")),
+    // Since version 7.3 it is one of HDF5, with a text of its own before it.
+    (b"MATLAB 7", by_python!("a file of MATLAB (.mat, 7.3)", "h5py.File")),
+    (b"\x89HDF\r\n\x1a\n", by_python!("a file of HDF5", "h5py.File, or pyasdf of ASDF")),
+    (b"\x93NUMPY", by_python!("an array of NumPy (.npy)", "numpy.load")),
+    (b"PAR1", by_python!("a table of Parquet", "pandas.read_parquet")),
+    (b"WID2 ", by_obspy!("GSE2")),
+    (b"7z\xbc\xaf\x27\x1c", "a 7z archive; unpack it and give the file"),
+    (b"Rar!\x1a\x07", "a RAR archive; unpack it and give the file"),
+    (b"\xfd7zXZ\0", "packed by xz; unpack it and give the file"),
+    (b"BZh", "packed by bzip2; unpack it and give the file"),
+    (b"\x28\xb5\x2f\xfd", "packed by Zstandard; unpack it and give the file"),
+];
+
+const MINISEED: &str = by_obspy!("miniSEED");
+
+/// Where a tape archive says what it is.
+const TAPE: std::ops::Range<usize> = 257..262;
+
+/// What a file of another program is, and what to do with it.
+pub(super) fn of(bytes: &[u8]) -> Option<&'static str> {
+    // A record of miniSEED: a number of six digits, a kind, and a blank (SEED 2.4).
+    let is_seed = bytes.len() >= 48
+        && bytes[..6].iter().all(u8::is_ascii_digit)
+        && matches!(bytes[6], b'D' | b'R' | b'Q' | b'M' | b'V')
+        && bytes[7] == b' ';
+    if is_seed {
+        return Some(MINISEED);
+    }
+    if bytes.get(TAPE).is_some_and(|word| word == b"ustar") {
+        return Some("a tar archive; unpack it and give the file");
+    }
+    BEGIN.iter().find(|(begins, _)| bytes.starts_with(begins)).map(|(_, what)| *what)
+}
+
+/// What a zip with files of these names is, and what to do with it.
+pub(super) fn of_zip(names: &[String]) -> Option<&'static str> {
+    let has = |name: &str| names.iter().any(|one| one == name);
+    if has("xl/workbook.xml") || has("xl/workbook.bin") {
+        return Some("a spreadsheet (.xlsx); save its sheet as CSV and give that");
+    }
+    if has("content.xml") && has("META-INF/manifest.xml") {
+        return Some("a document of LibreOffice (.ods); save its sheet as CSV and give that");
+    }
+    let is_array = |name: &String| name.ends_with(".npy");
+    (!names.is_empty() && names.iter().all(is_array))
+        .then_some(by_python!("arrays of NumPy (.npz)", "numpy.load"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{of, of_zip};
+
+    #[test]
+    fn files_of_other_programs_are_told_with_what_to_do() {
+        let mut tape = vec![0; 512];
+        tape[257..262].copy_from_slice(b"ustar");
+        let mut seed = b"000001D XXX  HNE".to_vec();
+        seed.resize(512, 0);
+        for (bytes, said) in [
+            (&tape[..], "a tar archive"),
+            (&seed, "obspy.read"),
+            (b"MS\x03\0", "obspy.read"),
+            (b"MATLAB 5.0 MAT-file, Platform: GLNXA64", "scipy.io.loadmat"),
+            (b"MATLAB 7.3 MAT-file", "h5py"),
+            (b"\x89HDF\r\n\x1a\n", "HDF5"),
+            (b"\x93NUMPY\x01", "numpy.load"),
+            (b"BZh91AY", "bzip2"),
+        ] {
+            let what = of(bytes).unwrap();
+            assert!(what.contains(said) && what.contains("; "), "{what}");
+        }
+        for bytes in [&b""[..], b"1\n2\n", b"MATLAB script", b"000001D", b"PEER NGA"] {
+            assert_eq!(of(bytes), None);
+        }
+        let names =
+            |names: &[&str]| of_zip(&names.iter().map(|name| name.to_string()).collect::<Vec<_>>());
+        assert!(names(&["xl/workbook.xml", "a"]).unwrap().contains("CSV"));
+        assert!(names(&["a.npy", "b.npy"]).unwrap().contains("numpy.load"));
+        assert!(
+            names(&["mimetype", "content.xml", "META-INF/manifest.xml"]).unwrap().contains("CSV")
+        );
+        assert_eq!(names(&["a.at2", "b.npy"]), None);
+        assert_eq!(names(&[]), None);
+    }
+}
