@@ -22,9 +22,11 @@ pub(super) fn unlikely(samples: &[f64]) -> Option<&'static str> {
     if samples.iter().enumerate().all(straight) {
         return Some("the samples grow evenly, as a time or a counter does");
     }
+    // A rectangular pulse has two values, too.
     let other = samples.iter().copied().find(|sample| *sample != first)?;
+    let flag = first.fract() == 0.0 && (first - other).abs() == 1.0;
     let two = samples.iter().all(|sample| *sample == first || *sample == other);
-    two.then_some("the samples have two values alone, as a flag has")
+    (flag && two).then_some("the samples have two neighbouring whole numbers alone, as a flag has")
 }
 
 #[cfg(test)]
@@ -41,7 +43,8 @@ mod tests {
         // To two decimals.
         assert!(of(&|k| (0.5 * f64::from(k)).round() * 0.01).contains("evenly"));
         assert!(of(&|k| f64::from(300 - k)).contains("evenly"));
-        assert!(of(&|k| if k % 7 < 3 { 9.81 } else { 0.0 }).contains("two values"));
+        assert!(of(&|k| if k % 7 < 3 { 1.0 } else { 0.0 }).contains("as a flag has"));
+        assert_eq!(of(&|k| if k < 100 { 3.5 } else { 0.0 }), "");
         assert_eq!(of(&|k| (0.1 * f64::from(k)).sin()), "");
         assert_eq!(of(&|k| 0.01 * f64::from(k) + 0.02 * (0.5 * f64::from(k)).sin()), "");
         assert_eq!(of(&|k| f64::from(k % 3)), "");

@@ -126,8 +126,8 @@ fn forces_at_rows_are_within_those_of_the_outcome() {
 fn the_last_row_has_the_last_sample_of_the_record() {
     let folder = TempDir::new().unwrap();
     let (out, record) = (folder.path().join("out"), folder.path().join("record.txt"));
-    let rows =
-        (0..101).map(|k| format!("{:.2} {}\n", 0.01 * f64::from(k), 0.5 + 0.01 * f64::from(k)));
+    let row = |k: u32| format!("{:.2} {}\n", 0.01 * f64::from(k), 0.5 + 1e-4 * f64::from(k * k));
+    let rows = (0..101).map(row);
     fs::write(&record, rows.collect::<String>()).unwrap();
     let line = "history --object 1 --isolation none --units m/s2 --columns ground_h --horizontal";
     run(&format!("{line} {}", record.display()), &out);

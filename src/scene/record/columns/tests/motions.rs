@@ -124,6 +124,6 @@ fn what_is_no_motion_is_refused_unless_it_is_forced() {
         assert!(error.starts_with("horizontal: ") && error.contains("`force` accepts"), "{error}");
     }
     let error = pair(&up.replace("UD", "NS"), &flag, false).unwrap_err();
-    assert!(error.starts_with("vertical: the samples have two values"), "{error}");
+    assert!(error.starts_with("vertical: the samples have two neighbouring"), "{error}");
     assert!(pair(&flag, &up, true).is_ok());
 }
