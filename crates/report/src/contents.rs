@@ -38,8 +38,9 @@ pub fn of(folders: &[Folder], asked: Option<&str>) -> Result<Document, ReportErr
     pieces.push(Piece::Heading(1, "What the model leaves out".into()));
     pieces.push(Piece::List(LEFT_OUT.map(String::from).to_vec()));
     pieces.push(Piece::Heading(1, "How to repeat it".into()));
+    let mut hashes = Vec::new();
     for folder in folders {
-        pieces.extend(repeated(folder));
+        pieces.extend(repeated(folder, &mut hashes));
     }
     let title = match (asked, folders) {
         (Some(asked), _) => asked.to_string(),
@@ -174,7 +175,13 @@ fn motions(folders: &[Folder]) -> Vec<Piece> {
                 if !table.iter().all(|piece| tables.contains(piece)) {
                     tables.extend(table);
                 }
-                format!("{} motions of the suite {suite}{named}.{turned}{left_out}", all.len())
+                // A run may name a motion and its reverse as two.
+                let files = folder.run.get("records").and_then(Value::as_object);
+                let count = match files.map(|files| files.len()) {
+                    Some(files) if !turned.is_empty() && all.len() == 2 * files => files,
+                    _ => all.len(),
+                };
+                format!("{count} motions of the suite {suite}{named}.{turned}{left_out}")
             }
             (None, Some(scene)) => shaking(scene),
             (None, None) => continue,
@@ -315,8 +322,8 @@ fn unrepeatable(folder: &Folder) -> Option<&'static str> {
     }
 }
 
-/// How a run is made again, and what its inputs were.
-fn repeated(folder: &Folder) -> Vec<Piece> {
+/// How a run is made again, and what its inputs were; those that are already `told` are not told again.
+fn repeated(folder: &Folder, told: &mut Vec<String>) -> Vec<Piece> {
     let mut pieces = vec![Piece::Text(format!(
         "{}: topple {}{}, results in {}. Everything about the run is in its {RUN}.",
         title(folder),
@@ -356,6 +363,13 @@ fn repeated(folder: &Folder) -> Vec<Piece> {
         if let Some(of) = folder.run.get(key) {
             gather(of, &mut hashes);
         }
+    }
+    let all = hashes.len();
+    hashes.retain(|hash| !told.contains(hash));
+    told.extend(hashes.iter().cloned());
+    if all > hashes.len() {
+        let text = format!("{} of its files are those of a run above.", all - hashes.len());
+        pieces.push(Piece::Text(text));
     }
     if !hashes.is_empty() {
         pieces.push(Piece::Text("The files that were read, each with its SHA-256:".into()));

@@ -198,6 +198,30 @@ fn a_report_has_the_title_that_is_asked_for_and_what_its_runs_warned_of() {
     assert!(said.contains("must be one line of text"), "{said}");
 }
 
+/// Devices stand beside each other, with names in words; what none of them has is left out, and a file that two runs read is
+/// told once.
+#[test]
+fn devices_stand_beside_each_other_and_a_file_is_told_once() {
+    let (place, records) = suite();
+    let list = "device,isolation,radius,mu\nfloor,none,,\npendulum,horizontal,1.5,0.06\n";
+    fs::write(place.path().join("devices.csv"), list).unwrap();
+    let statue = ["--object", "1", "--backend", "cpu", "--both-directions", "--scales", "1,2"];
+    let compare = ["compare", "devices.csv", "--suite", &records, "--out", "compared"];
+    topple(&place, &[&compare[..], &statue].concat()).success();
+    topple(&place, &["suite", &records, "--out", "suite"]).success();
+    topple(&place, &["report", "compared", "suite", "--out", "report.html"]).success();
+    let page = read(&place.path().join("report.html"));
+    assert!(page.contains("<th>device</th><th>floor</th><th>pendulum</th>"), "{page}");
+    assert!(page.contains("exceeds a limit at so many times the motions"), "{page}");
+    assert!(!page.contains("fails_at") && !page.contains("vertical stroke"), "{page}");
+    let run: serde_json::Value =
+        serde_json::from_str(&read(&place.path().join("suite/run.json"))).unwrap();
+    for record in run["records"].as_object().unwrap().values() {
+        let hash = record["horizontal"]["sha256"].as_str().unwrap();
+        assert_eq!(page.matches(hash).count(), 1, "{hash}");
+    }
+}
+
 #[test]
 fn fits_are_told_with_why_they_are_open_and_motions_in_both_directions() {
     let (place, records) = suite();
@@ -207,6 +231,9 @@ fn fits_are_told_with_why_they_are_open_and_motions_in_both_directions() {
     topple(&place, &[&["fragility", "--suite", &records][..], &statue, &levels].concat()).success();
     topple(&place, &["report", "low", "--out", "report.html"]).success();
     let page = read(&place.path().join("report.html"));
+    // A run under both directions names each motion twice.
+    let count = read(Path::new(&records)).lines().count() - 1;
+    assert!(page.contains(&format!("{count} motions of the suite")), "{page}");
     assert!(page.contains("Each is taken in both directions"), "{page}");
     assert!(page.contains("overturning: none fails up to the highest level, 1"), "{page}");
     assert!(page.contains("–: the motions tell no curve"), "{page}");
