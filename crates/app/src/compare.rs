@@ -24,6 +24,7 @@ use super::errors::sweep_error;
 use super::fragility_words as told;
 use super::further::FurtherFlags;
 use super::hazard::HazardFlags;
+use super::inputs::{self, Inputs};
 use super::limits::{IntervalFlags, LimitFlags};
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, RunOptions, flag_error};
@@ -97,6 +98,8 @@ struct Manifest<'a> {
     #[serde(serialize_with = "path_text::serialize_some")]
     hazard: Option<&'a Path>,
     hazard_units: Option<&'static str>,
+    /// Checksums of the files that it read beside its motions.
+    inputs: Inputs,
     /// The reference's results for a sample.
     verified: &'a Verified,
 }
@@ -190,6 +193,10 @@ impl CompareCommand {
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
             hazard: self.hazard.path(),
             hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
+            inputs: inputs::of(&[
+                (inputs::DEVICES, Some(&self.devices)),
+                (inputs::HAZARD, self.hazard.path()),
+            ]),
             verified: &compared.sweep.verified,
         };
         out.finish(&manifest)?;

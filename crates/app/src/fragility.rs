@@ -25,6 +25,7 @@ use topple_studies::uncertain::{SAMPLES, Varied};
 use super::errors::sweep_error;
 use super::fragility_words as told;
 use super::hazard::HazardFlags;
+use super::inputs::{self, Inputs};
 use super::limits::IntervalFlags;
 use super::map_files::Figure;
 use super::named::{estimator, export};
@@ -139,6 +140,9 @@ struct Manifest<'a> {
     hazard: Option<&'a Path>,
     /// The unit that the levels of the hazard curve were read in.
     hazard_units: Option<&'static str>,
+    /// Checksums of the files that it read beside its motions.
+    #[serde(skip_serializing_if = "Inputs::is_empty")]
+    inputs: Inputs,
     target: Option<f64>,
     /// Runs of which nothing is known: they are left out.
     unresolved: usize,
@@ -251,6 +255,7 @@ impl FragilityCommand {
             samples: varies.then_some(self.samples),
             hazard: self.hazard.path(),
             hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
+            inputs: inputs::of(&[(inputs::HAZARD, self.hazard.path())]),
             target: self.target,
             unresolved: study.cells.iter().map(|cell| cell.unresolved).sum(),
             notes: told::notes(&study),

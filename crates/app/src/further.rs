@@ -13,11 +13,13 @@ pub struct FurtherFlags {
 }
 
 impl FurtherFlags {
-    /// Those that are asked for: all are all that have percentiles, and no column twice.
+    /// Those that are asked for: all are all that have percentiles, and no column twice, the strokes among them, which every
+    /// such table has.
     pub fn columns(&self) -> Vec<Column> {
         let whole = self.columns.is_some_and(|columns| columns.is_all());
         let columns = self.columns.iter().flat_map(|columns| columns.columns());
-        columns.filter(|column| !whole || is_further(*column)).collect()
+        let further = columns.filter(|column| !whole || is_further(*column));
+        further.filter(|column| !matches!(column, Column::MaxU | Column::StrokeV)).collect()
     }
 }
 

@@ -26,6 +26,7 @@ mod further;
 mod hazard;
 mod history;
 mod history_table;
+mod inputs;
 mod interrupt;
 mod licences;
 mod limits;

@@ -378,7 +378,7 @@ impl MapOptions {
         let verify = Verify::settings(self.verify);
         verify.check(Grid::of(scene).len()).map_err(|error| flag_error(&error))?;
         if self.spectrum && !spectrum::has(&Grid::of(scene)) {
-            let problem = "--spectrum: spectra are of a map of two axes; give two numbers several values, or leave it out";
+            let problem = "--spectrum: spectra are of a map of two axes, the second of them how strong the shaking is (--a-h, --scale), above 0; give these, or leave it out";
             return Err(InputError(problem.into()));
         }
         if let Some(levels) = self.refine {

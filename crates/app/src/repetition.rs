@@ -10,6 +10,7 @@ use topple::scene::bounded;
 use topple::scene::path_text::PathText;
 
 use super::command_line::CommandLine;
+use super::inputs::{self, Inputs};
 use super::options::MapOptions;
 use super::suite::Sources;
 use super::suite_run::Repeats;
@@ -22,6 +23,8 @@ struct Written {
     command: Option<CommandLine>,
     #[serde(default)]
     records: Sources,
+    #[serde(default)]
+    inputs: Inputs,
 }
 
 /// A run that is repeated: its command, and what its relative paths are looked for in.
@@ -30,6 +33,8 @@ pub struct Repeated {
     pub command: Command,
     /// The words that say so, and its motions.
     repeats: Repeats,
+    /// The other files that it read.
+    inputs: Inputs,
     /// Where the results lie.
     folder: PathBuf,
 }
@@ -49,7 +54,7 @@ pub fn at(path: &Path) -> Option<Result<Repeated, String>> {
         false => return None,
     };
     let bytes = bounded::read(&file, bounded::DOCUMENT).ok()?;
-    let Written { kind, command, records } = serde_json::from_slice(&bytes).ok()?;
+    let Written { kind, command, records, inputs } = serde_json::from_slice(&bytes).ok()?;
     if !matches!(kind, Kind::Envelope | Kind::Fragility | Kind::Comparison) {
         return None;
     }
@@ -62,7 +67,7 @@ pub fn at(path: &Path) -> Option<Result<Repeated, String>> {
         _ => return Some(other()),
     };
     let folder = file.parent().unwrap_or(Path::new("")).to_path_buf();
-    Some(Ok(Repeated { command, repeats: Repeats { line, records }, folder }))
+    Some(Ok(Repeated { command, repeats: Repeats { line, records }, inputs, folder }))
 }
 
 /// What a command under a suite makes; none of another command.
@@ -84,19 +89,21 @@ impl Repeated {
             );
             return Err(InputError(problem).into());
         }
-        let Repeated { mut command, repeats, folder } = self;
+        let Repeated { mut command, repeats, inputs, folder } = self;
         let line = &repeats.line;
         let (motions, run, hazard) = match &mut command {
             Command::Envelope(of) => (&mut of.motions, &mut of.options, None),
             Command::Fragility(of) => (&mut of.motions, &mut of.options, of.hazard.path_mut()),
             Command::Compare(of) => {
-                of.devices = found("DEVICES", &of.devices, line, &folder)?;
+                of.devices = found(inputs::DEVICES, &of.devices, line, &folder)?;
+                inputs::unchanged(inputs::DEVICES, &of.devices, &inputs)?;
                 (&mut of.motions, &mut of.options, of.hazard.path_mut())
             }
             _ => return Ok(()),
         };
         if let Some(hazard) = hazard {
-            *hazard = found("--hazard", hazard, line, &folder)?;
+            *hazard = found(inputs::HAZARD, hazard, line, &folder)?;
+            inputs::unchanged(inputs::HAZARD, hazard, &inputs)?;
         }
         let suite = found("--suite", motions.suite(), line, &folder)?;
         motions.repeat(suite, repeats);

@@ -262,7 +262,10 @@ fn envelope(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
     let mut pieces = vec![Piece::Text(text)];
     let rows = folder.table("envelope.csv")?.unwrap_or_default();
     if rows.len() == 1 {
-        pieces.extend(table(&rows, &STROKES));
+        // The reserve of an envelope is in steps of its grid, and one cell has no neighbours.
+        let columns: Vec<(&str, &str)> =
+            STROKES.iter().copied().filter(|(column, _)| *column != "reserve").collect();
+        pieces.extend(table(&rows, &columns));
     }
     Ok(pieces)
 }

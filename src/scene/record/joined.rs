@@ -33,9 +33,7 @@ fn questioned(
     }
     if let Some(vertical) = vertical {
         let v = &vertical.title;
-        // No vertical motion at all is a scene of its own.
-        let moves = vertical.samples.iter().any(|sample| *sample != 0.0);
-        if let Some(what) = unlikely(&vertical.samples).filter(|_| moves) {
+        if let Some(what) = unlikely(&vertical.samples) {
             return asked("vertical", format!("{what}: '{v}' is no motion"));
         }
         if vertical.samples == horizontal.samples {

@@ -612,3 +612,35 @@ fn what_is_no_scene_is_named() {
     assert!(line.contains("a directory without run.json"), "{line}");
     refused(&["run", "nothing.toml"]);
 }
+
+/// A list of devices and a hazard curve are inputs as motions are: a repetition notices that they have changed.
+#[test]
+fn a_list_of_devices_or_a_hazard_curve_that_has_changed_is_refused() {
+    let (place, list) = crate::fragility::suite();
+    let write = |name: &str, text: &str| fs::write(place.path().join(name), text).unwrap();
+    let devices = "device,isolation,radius,mu\nfloor,none,,\npendulum,horizontal,1.5,0.06\n";
+    let curve = "pga [m/s2],rate\n1,0.01\n3,0.001\n8,0.0001\n";
+    write("devices.csv", devices);
+    write("site.csv", curve);
+    let run = |line: &str| {
+        let mut command = Command::cargo_bin("topple").unwrap();
+        command.current_dir(place.path()).args(line.split_whitespace()).assert()
+    };
+    let block = "--object 1 --backend cpu --verify none --levels 1,4,9 --hazard site.csv";
+    run(&format!("compare devices.csv --suite {list} {block} --out compared")).success();
+    run(&format!("fragility --suite {list} --isolation none {block} --out rates")).success();
+    run("run compared --out again").success();
+    let refused = |line: &str, file: &str| {
+        let assert = run(line).code(2);
+        let said = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
+        assert!(said.contains(file) && said.contains("has changed since the run"), "{said}");
+        assert_eq!(said.lines().count(), 1, "{said}");
+    };
+    write("devices.csv", &devices.replace("1.5", "2.5"));
+    refused("run compared --out other", "DEVICES: ");
+    write("devices.csv", devices);
+    write("site.csv", &curve.replace("0.001", "0.002"));
+    refused("run compared --out other", "--hazard: ");
+    refused("run rates --out other", "--hazard: ");
+    assert!(!place.path().join("other").exists());
+}

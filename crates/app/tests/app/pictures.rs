@@ -543,4 +543,8 @@ fn spectra_are_the_least_values_that_lift_and_overturn() {
     let line = [&MAP[..9], &["--omega", "5", "--a-h", "0.1:15:9", "--spectrum"]].concat();
     let said = refused(&[&line[..], &["--out", at("line").to_str().unwrap()]].concat());
     assert!(said.contains("--spectrum: spectra are of a map of two axes"), "{said}");
+    // The least of amplitudes of both signs is none.
+    let line = [&MAP[..9], &["--omega", "1:9:4", "--a-h=-5:5:5", "--spectrum"]].concat();
+    let said = refused(&[&line[..], &["--out", at("signed").to_str().unwrap()]].concat());
+    assert!(said.contains("how strong the shaking is"), "{said}");
 }

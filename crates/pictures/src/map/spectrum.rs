@@ -5,7 +5,7 @@ use std::io::Write;
 
 use super::Map;
 use topple::results::csv::Number;
-use topple::scene::Grid;
+use topple::scene::{Grid, Parameter};
 use topple::stepping::outcome::{Class, Outcome};
 
 /// The least values, one for each value of the first axis; none where no cell there does it.
@@ -17,14 +17,22 @@ pub struct Spectrum {
     pub overturns: Vec<Option<f64>>,
 }
 
-/// True where a map has spectra: of two axes.
+/// True where a map has spectra: of two axes, the second how strong the shaking is, from above zero.
 pub fn has(grid: &Grid) -> bool {
     let (columns, rows) = grid.shape();
-    grid.axes().len() == 2 && columns > 1 && rows > 1
+    let strength = |parameter| {
+        matches!(parameter, Parameter::AH | Parameter::AV | Parameter::Scale | Parameter::Pga)
+    };
+    grid.axes().len() == 2
+        && columns > 1
+        && rows > 1
+        && grid
+            .y()
+            .is_some_and(|y| strength(y.parameter) && y.values.iter().all(|value| value > 0.0))
 }
 
 impl Spectrum {
-    /// Those of a map; none of one that has not two axes.
+    /// Those of a map; none of one that [has](has) none.
     pub fn of(map: &Map) -> Option<Spectrum> {
         let (columns, rows) = map.grid.shape();
         let y = map.grid.y().filter(|_| has(&map.grid))?;
