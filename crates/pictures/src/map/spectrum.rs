@@ -32,7 +32,7 @@ pub fn has(grid: &Grid) -> bool {
 }
 
 impl Spectrum {
-    /// Those of a map; none of one that [has](has) none.
+    /// Those of a map; none of one that has none.
     pub fn of(map: &Map) -> Option<Spectrum> {
         let (columns, rows) = map.grid.shape();
         let y = map.grid.y().filter(|_| has(&map.grid))?;
