@@ -1,14 +1,12 @@
 //! The directory that a run leaves its files in.
 
 use std::fs;
-use std::io::{self, BufWriter, Write};
+use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
-use std::thread;
-use std::time::Duration;
 
 use tempfile::NamedTempFile;
 
-use super::lock::is_busy;
+use super::busy::patiently;
 use super::own::{self, Kind};
 use super::temporary;
 
@@ -225,26 +223,12 @@ fn named(file: NamedTempFile, path: &Path) -> io::Result<()> {
     })
 }
 
-/// Does what the system refuses while another program has a file open, for a second at most. On Windows a scanner of
-/// viruses opens each new file for a moment, in which neither the file nor its folder can be renamed.
-fn patiently<T>(mut attempt: impl FnMut() -> io::Result<T>) -> io::Result<T> {
-    for _ in 0..20 {
-        match attempt() {
-            Err(error) if is_busy(&error) => thread::sleep(Duration::from_millis(50)),
-            done => return done,
-        }
-    }
-    attempt()
-}
-
 /// Sees to it that a new name in a directory outlives a power cut.
 #[cfg(unix)]
 fn settle(directory: &Path) -> io::Result<()> {
     match fs::File::open(directory)?.sync_all() {
         // File systems that have no such call keep names in their own way.
-        Err(e) if matches!(e.kind(), io::ErrorKind::InvalidInput | io::ErrorKind::Unsupported) => {
-            Ok(())
-        }
+        Err(e) if matches!(e.kind(), ErrorKind::InvalidInput | ErrorKind::Unsupported) => Ok(()),
         settled => settled,
     }
 }

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Duration;
 
+use super::busy::is_busy;
 use super::store_error::StoreError;
 use super::temporary;
 
@@ -105,18 +106,6 @@ fn open(path: &Path) -> io::Result<File> {
         .truncate(false)
         .share_mode(READ_AND_WRITE)
         .open(path)
-}
-
-/// True of the error of a file that another program has open for a moment, or that another run is just removing.
-#[cfg(not(windows))]
-pub(super) fn is_busy(_: &io::Error) -> bool {
-    false
-}
-
-#[cfg(windows)]
-pub(super) fn is_busy(error: &io::Error) -> bool {
-    const SHARING_VIOLATION: i32 = 32;
-    error.raw_os_error() == Some(SHARING_VIOLATION) || error.kind() == ErrorKind::PermissionDenied
 }
 
 /// True where a file is the one of the name.

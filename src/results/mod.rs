@@ -6,6 +6,7 @@
 
 pub mod about;
 pub mod block;
+mod busy;
 pub(crate) mod cell_value;
 pub mod chunk;
 pub mod chunking;

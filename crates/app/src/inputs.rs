@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use sha2::{Digest, Sha256};
 use topple::scene::bounded;
+use topple::scene::record::sha256;
 use topple_studies::fragility::hazard;
 
 use super::InputError;
@@ -13,6 +13,10 @@ use super::InputError;
 pub const DEVICES: &str = "DEVICES";
 /// The flag of a hazard curve.
 pub const HAZARD: &str = "--hazard";
+
+/// What to do where a run that is to be repeated does not find its inputs as they were.
+pub const PUT_BACK: &str =
+    "put back what was there, or give the whole command for a run of what is there now";
 
 /// SHA-256 of the files, in hexadecimal digits, by the flags that name them.
 pub type Inputs = BTreeMap<String, String>;
@@ -26,7 +30,7 @@ pub fn of(files: &[(&str, Option<&Path>)]) -> Inputs {
 fn checksum(path: &Path) -> Option<String> {
     // No list of devices is larger than the largest hazard curve.
     let bytes = bounded::read(path, hazard::LARGEST).ok()?;
-    Some(Sha256::digest(&bytes).iter().map(|byte| format!("{byte:02x}")).collect())
+    Some(sha256(&bytes))
 }
 
 /// Refuses a file that is not the one that an earlier run has read. A run that tells no checksum has none to compare.
@@ -36,7 +40,7 @@ fn checksum(path: &Path) -> Option<String> {
 pub fn unchanged(flag: &str, path: &Path, earlier: &Inputs) -> Result<(), InputError> {
     match earlier.get(flag) {
         Some(before) if checksum(path).as_ref() != Some(before) => Err(InputError(format!(
-            "{flag}: {} has changed since the run; put back what was there, or give the whole command for a run of what is there now",
+            "{flag}: {} has changed since the run; {PUT_BACK}",
             path.display()
         ))),
         _ => Ok(()),

@@ -12,6 +12,7 @@ use topple_pictures::studies::suite as picture;
 use topple_studies::suites::measures::Measures;
 use topple_studies::suites::{Entry, Motion, Suite, SuiteError, table};
 
+use super::inputs::PUT_BACK;
 use super::picture_flags::PictureFlags;
 use super::results_directory::Place;
 use super::words::{Reporter, with_columns};
@@ -111,26 +112,24 @@ pub fn unchanged(suite: &Suite, earlier: &Sources) -> Result<(), String> {
     if earlier.is_empty() {
         return Ok(());
     }
-    let remedy =
-        "put back what was there, or give the whole command for a run of what is there now";
     let now: BTreeMap<&str, _> =
         suite.motions().map(|(entry, motion)| (entry.id.as_str(), (entry, motion))).collect();
     for (id, before) in earlier {
         let named = shown::shown(id);
         let Some((entry, motion)) = now.get(id.as_str()) else {
-            return Err(format!("the motion {named} of the run is gone; {remedy}"));
+            return Err(format!("the motion {named} of the run is gone; {PUT_BACK}"));
         };
         let bare = |files: Option<&Provenance>| files.map(Provenance::without_folders);
         let same = bare(before.files.as_ref()) == bare(motion.pair.provenance.as_deref())
             && (before.scale, before.weight) == (entry.scale, entry.weight);
         if !same {
-            return Err(format!("the motion {named} has changed since the run; {remedy}"));
+            return Err(format!("the motion {named} has changed since the run; {PUT_BACK}"));
         }
     }
     match now.keys().find(|id| !earlier.contains_key(**id)) {
         Some(new) => {
             let new = shown::shown(new);
-            Err(format!("the motion {new} was not there in the run; {remedy}"))
+            Err(format!("the motion {new} was not there in the run; {PUT_BACK}"))
         }
         None => Ok(()),
     }

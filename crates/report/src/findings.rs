@@ -185,6 +185,13 @@ fn shown(row: &BTreeMap<String, String>, column: &str) -> String {
     text.parse().map_or_else(|_| text.clone(), number)
 }
 
+/// That a table has more rows than are shown.
+fn more(rows: &Rows) -> Option<Piece> {
+    let text =
+        || format!("The first {ROWS} of {} rows; all are in the run's directory.", rows.len());
+    (rows.len() > ROWS).then(|| Piece::Text(text()))
+}
+
 /// Columns of a table under names of their own, no more than [`ROWS`] rows of it.
 fn table(rows: &Rows, columns: &[(&str, &str)]) -> Vec<Piece> {
     let there = |column: &str| rows.first().is_some_and(|row| row.contains_key(column));
@@ -193,11 +200,7 @@ fn table(rows: &Rows, columns: &[(&str, &str)]) -> Vec<Piece> {
     let some = rows.iter().take(ROWS);
     let cells = some.map(|row| columns.iter().map(|(column, _)| shown(row, column)).collect());
     let mut pieces = vec![Piece::Table(names, cells.collect())];
-    if rows.len() > ROWS {
-        let text =
-            format!("The first {ROWS} of {} rows; all are in the run's directory.", rows.len());
-        pieces.push(Piece::Text(text));
-    }
+    pieces.extend(more(rows));
     pieces
 }
 
@@ -312,11 +315,7 @@ fn beside(rows: &Rows, (key, columns): (&str, &[(&str, &str)])) -> Vec<Piece> {
         Piece::Table(names, told.iter().map(line).collect())
     };
     let mut pieces: Vec<Piece> = some.chunks(BESIDE).map(table).collect();
-    if rows.len() > ROWS {
-        let text =
-            format!("The first {ROWS} of {} rows; all are in the run's directory.", rows.len());
-        pieces.push(Piece::Text(text));
-    }
+    pieces.extend(more(rows));
     pieces
 }
 

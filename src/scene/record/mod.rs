@@ -43,7 +43,7 @@ use super::bounded;
 pub use component::Component;
 pub use hints::RecordHints;
 pub use pair::Pair;
-pub use provenance::{Provenance, RecordFile};
+pub use provenance::{Provenance, RecordFile, sha256};
 pub use stated::Stated;
 pub use treatment::Treatment;
 pub use units::Units;
