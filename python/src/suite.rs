@@ -154,7 +154,7 @@ fn further(keywords: &Bound<'_, PyDict>) -> PyResult<Vec<Column>> {
     let names = several(keywords, "columns")?;
     match names.is_empty() {
         true => Ok(Vec::new()),
-        false => Ok(ColumnSet::of_names(&names).map_err(of_scene)?.columns().collect()),
+        false => Ok(suite_columns::asked(ColumnSet::of_names(&names).map_err(of_scene)?)),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use topple::results::column_set::ColumnSet;
 use topple::results::columns::Column;
-use topple_studies::suites::columns::is_further;
+use topple_studies::suites::columns::asked;
 
 /// Which columns.
 #[derive(clap::Args)]
@@ -13,13 +13,9 @@ pub struct FurtherFlags {
 }
 
 impl FurtherFlags {
-    /// Those that are asked for: all are all that have percentiles, and no column twice, the strokes among them, which every
-    /// such table has.
+    /// Those that are asked for, none without the flag.
     pub fn columns(&self) -> Vec<Column> {
-        let whole = self.columns.is_some_and(|columns| columns.is_all());
-        let columns = self.columns.iter().flat_map(|columns| columns.columns());
-        let further = columns.filter(|column| !whole || is_further(*column));
-        further.filter(|column| !matches!(column, Column::MaxU | Column::StrokeV)).collect()
+        self.columns.map(asked).unwrap_or_default()
     }
 }
 

@@ -1,5 +1,6 @@
 //! Columns of a suite's tables: the axes of its sweep, and the results of each cell or motion.
 
+use topple::results::column_set::ColumnSet;
 use topple::results::columns::{Column, ColumnKind};
 use topple::results::csv::Number;
 use topple::scene::{Grid, SceneError};
@@ -73,9 +74,10 @@ pub fn further(column: Column) -> [(String, &'static str, String); 3] {
     })
 }
 
-/// True of a column that has percentiles and is not in the table already.
-pub fn is_further(column: Column) -> bool {
-    is_number(column) && !matches!(column, Column::MaxU | Column::StrokeV)
+/// The columns that a table has beside the strokes, which every one has: of all columns those that have percentiles.
+pub fn asked(columns: ColumnSet) -> Vec<Column> {
+    let named = columns.columns().filter(|one| !matches!(one, Column::MaxU | Column::StrokeV));
+    named.filter(|one| !columns.is_all() || is_number(*one)).collect()
 }
 
 /// True of a column of numbers.
@@ -94,5 +96,22 @@ pub fn check_further(columns: &[Column]) -> Result<(), SceneError> {
             Err(SceneError::new("columns", problem))
         }
         None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A stroke that is named has its columns already; of all columns those of names have no percentiles.
+    #[test]
+    fn a_table_has_no_column_twice() {
+        let named = ColumnSet::of_names(&["max_u", "zeta", "stroke_v"]).unwrap();
+        assert_eq!(asked(named), [Column::Zeta]);
+        let all = asked(ColumnSet::ALL);
+        assert!(all.contains(&Column::Zeta) && check_further(&all).is_ok());
+        assert!(!all.contains(&Column::MaxU) && !all.contains(&Column::StrokeV));
+        let outcome = ColumnSet::of_names(&["outcome"]).unwrap();
+        assert!(check_further(&asked(outcome)).is_err());
     }
 }
