@@ -142,28 +142,19 @@ impl SuiteFlags {
 
     /// Says what is swept, and that both directions of a block without an eccentricity are the same.
     pub fn tell_of_scene(&self, scenes: &[Scene], say: &Reporter) {
-        let Some(first) = scenes.first() else { return };
         let parts = match scenes {
+            [] => return,
             [scene] => topple::scene::words::fixed(scene),
             scenes => words::shared_block(scenes),
         };
         let suite = self.suite.display();
         say.line("scene", format!("{}, under the motions of {suite}", parts.join(", ")));
-        let leans = |parameter| {
-            let values = first.numbers.get(parameter);
-            values.is_some_and(|values: &Values| values.iter().any(|value| value != 0.0))
+        let leans = |scene: &Scene| {
+            let of_centre = [Parameter::Eccentricity, Parameter::Offset];
+            let values = of_centre.into_iter().filter_map(|of| scene.numbers.get(of));
+            values.flat_map(Values::iter).any(|value| value != 0.0)
         };
-        let alone = scenes.len() == 1
-            || scenes.iter().all(|scene| {
-                scene.numbers.get(Parameter::Eccentricity)
-                    == first.numbers.get(Parameter::Eccentricity)
-                    && scene.numbers.get(Parameter::Offset) == first.numbers.get(Parameter::Offset)
-            });
-        if self.both_directions
-            && alone
-            && !leans(Parameter::Eccentricity)
-            && !leans(Parameter::Offset)
-        {
+        if self.both_directions && !scenes.iter().any(leans) {
             words::warn(
                 "both directions of a motion are the same for a block without an eccentricity: --both-directions doubles the time, and nothing else",
             );

@@ -99,9 +99,7 @@ pub(super) fn read(
             .into_iter()
             .map(|channel| (what(&channel), channel))
             .partition(|(what, channel)| {
-                what.is_some()
-                    && channel.component != Some(Component::Up)
-                    && channel.component != Some(Component::Down)
+                what.is_some() && !channel.component.is_some_and(Component::is_vertical)
             });
         let all = kept.is_empty();
         for (what, channel) in &left_out {
