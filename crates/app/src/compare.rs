@@ -128,6 +128,11 @@ impl CompareCommand {
         let text = self.common.text(None, self.record.placed());
         let request = self.motions.request(&self.common, options, text)?;
         let list = self.read(&request.scene)?;
+        // Before the sweep: who changes a file meanwhile has not changed what was read.
+        let inputs = inputs::of(&[
+            (inputs::DEVICES, Some(&self.devices)),
+            (inputs::HAZARD, self.hazard.path()),
+        ]);
         let limits = self.limits.limits();
         let rate = hazard.as_ref().map(|hazard| RateRequest {
             im,
@@ -193,10 +198,7 @@ impl CompareCommand {
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
             hazard: self.hazard.path(),
             hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
-            inputs: inputs::of(&[
-                (inputs::DEVICES, Some(&self.devices)),
-                (inputs::HAZARD, self.hazard.path()),
-            ]),
+            inputs,
             verified: &compared.sweep.verified,
         };
         out.finish(&manifest)?;

@@ -172,6 +172,8 @@ impl FragilityCommand {
         let print = options.pictures.print().map_err(InputError)?;
         let place = Place::of(&options.out, Kind::Fragility)?;
         let hazard = self.hazard.read(self.im)?;
+        // Before the sweep: who changes the file meanwhile has not changed what was read.
+        let inputs = inputs::of(&[(inputs::HAZARD, self.hazard.path())]);
         let text = self.common.text(Some("Fragility"), self.record.placed());
         let request = self.motions.request(&self.common, options, text)?;
         let request = self.request(request, hazard.as_ref());
@@ -255,7 +257,7 @@ impl FragilityCommand {
             samples: varies.then_some(self.samples),
             hazard: self.hazard.path(),
             hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
-            inputs: inputs::of(&[(inputs::HAZARD, self.hazard.path())]),
+            inputs,
             target: self.target,
             unresolved: study.cells.iter().map(|cell| cell.unresolved).sum(),
             notes: told::notes(&study),
