@@ -8,13 +8,13 @@ use topple::results::csv::Number;
 use topple::scene::{Grid, Parameter};
 use topple::stepping::outcome::{Class, Outcome};
 
-/// The least values, one for each value of the first axis; none where no cell there does it.
+/// The rows of the least values, one for each value of the first axis; none where no cell there does it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
     /// At which the block lifts.
-    pub lifts: Vec<Option<f64>>,
+    pub lifts: Vec<Option<usize>>,
     /// At which it overturns.
-    pub overturns: Vec<Option<f64>>,
+    pub overturns: Vec<Option<usize>>,
 }
 
 /// True where a map has spectra: of two axes, the second how strong the shaking is, from above zero.
@@ -39,7 +39,7 @@ impl Spectrum {
         let least = |does: fn(&Outcome) -> bool| {
             let of_column = |column: usize| {
                 let cells = (0..rows).filter(|row| does(&map.outcomes[row * columns + column]));
-                cells.map(|row| y.values.value(row)).reduce(f64::min)
+                cells.min_by(|a, b| y.values.value(*a).total_cmp(&y.values.value(*b)))
             };
             (0..columns).map(of_column).collect()
         };
@@ -56,9 +56,10 @@ impl Spectrum {
     pub fn write(&self, map: &Map, writer: impl Write) -> csv::Result<()> {
         let mut table = csv::Writer::from_writer(writer);
         let x = map.grid.x();
+        let of = |row: &Option<usize>| Some(Number(map.grid.y()?.values.value((*row)?)));
         table.write_record([x.key(), "lifts", "overturns"])?;
         for ((at, lifts), overturns) in x.values.iter().zip(&self.lifts).zip(&self.overturns) {
-            table.serialize((Number(at), lifts.map(Number), overturns.map(Number)))?;
+            table.serialize((Number(at), of(lifts), of(overturns)))?;
         }
         Ok(table.flush()?)
     }

@@ -15,6 +15,7 @@ use crate::drawing::ticks::rounded;
 use crate::drawing::{COLUMN, MARGIN, caption, legend};
 use topple::results::colour::BLACK;
 use topple::results::palette::STATES;
+use topple::scene::Values;
 use topple::scene::builder::TITLES;
 use topple::scene::values::spread;
 
@@ -67,9 +68,9 @@ pub fn draw(map: &Map, print: Print) -> Result<Option<String>, FigureError> {
     ];
     canvas.clipped(place, |canvas| {
         for (least, colour, _) in &curves {
-            let point = |(column, least): (usize, &Option<f64>)| -> Option<Point> {
-                let at = position(&y_axis.values, (*least)?);
-                Some(frame.at((x_axis.values.coordinate(column as f64), at)))
+            let point = |(column, row): (usize, &Option<usize>)| -> Option<Point> {
+                let at = |values: &Values, place: usize| values.coordinate(place as f64);
+                Some(frame.at((at(&x_axis.values, column), at(&y_axis.values, (*row)?))))
             };
             let points: Vec<Option<Point>> = least.iter().enumerate().map(point).collect();
             parts(canvas, &points, stroke(*colour, 1.1));
@@ -91,12 +92,6 @@ pub fn draw(map: &Map, print: Print) -> Result<Option<String>, FigureError> {
     let top = (MARGIN, y + BELOW + GAP);
     let end = legend::draw(&mut canvas, &entries, top, wide, 1);
     Ok(Some(canvas.finish(end + MARGIN)))
-}
-
-/// The coordinate of one of an axis' own values.
-fn position(values: &topple::scene::Values, value: f64) -> f64 {
-    let place = values.iter().position(|own| own == value).unwrap_or(0);
-    values.coordinate(place as f64)
 }
 
 /// Draws the rocking index of cells that stand along the first axis, at some values of the second; their legend.
