@@ -15,8 +15,7 @@ impl Lognormal {
     /// From the logarithm of theta; `None` where theta or beta is beyond what numbers hold.
     pub(super) fn of_logarithm(ln_theta: f64, beta: f64) -> Option<Lognormal> {
         let theta = ln_theta.exp();
-        (theta > 0.0 && theta.is_finite() && beta >= 0.0 && beta.is_finite())
-            .then_some(Lognormal { theta, beta })
+        (is_level(theta) && beta >= 0.0 && beta.is_finite()).then_some(Lognormal { theta, beta })
     }
 
     /// The probability that the limit state fails at a level.
@@ -27,6 +26,11 @@ impl Lognormal {
         }
         if above == 0.0 { 0.5 } else { f64::from(u8::from(above > 0.0)) }
     }
+}
+
+/// Whether a number can be a level. A subnormal number has lost digits: a median there would answer for another.
+pub(super) fn is_level(number: f64) -> bool {
+    number > 0.0 && number.is_normal()
 }
 
 /// Between which levels standing turns into failing.
@@ -76,5 +80,22 @@ impl Fit {
     /// Of a position and a scale on the axis of ln x.
     pub(super) fn of_logarithm(ln_theta: f64, beta: f64) -> Fit {
         Lognormal::of_logarithm(ln_theta, beta).map_or(Fit::NotIncreasing, Fit::Fitted)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_median_that_has_lost_digits_is_no_curve() {
+        for ln_theta in [700.0, -700.0] {
+            let curve = Lognormal::of_logarithm(ln_theta, 1.0).expect("a normal number");
+            assert!((curve.theta.ln() - ln_theta).abs() < 1.0e-12 * 700.0);
+        }
+        // exp(-741.9) = 4e-323 has one digit, exp(-746) none, and exp(710) is infinite.
+        for ln_theta in [-709.0, -741.9, -746.0, 710.0, f64::NAN] {
+            assert_eq!(Lognormal::of_logarithm(ln_theta, 1.0), None, "{ln_theta}");
+        }
     }
 }

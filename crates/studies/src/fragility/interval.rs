@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::fit::{Fit, Lognormal};
+use super::fit::{Fit, Lognormal, is_level};
 use super::hazard::HazardCurve;
 use crate::statistics::Bootstrap;
 use crate::statistics::bca::{FEWEST, acceleration, ends};
@@ -68,7 +68,7 @@ pub fn bootstrap(
         }
     };
     let theta = interval(|drawn| drawn.theta, estimate.theta)
-        .map(|theta| theta.filter(|theta| *theta > 0.0 && theta.is_finite()));
+        .map(|theta| theta.filter(|theta| is_level(*theta)));
     let rate = hazard
         .map_or([None; 2], |hazard| interval(|drawn| drawn.rate, hazard.rate(&estimate).rate));
     Interval { theta, beta: interval(|drawn| drawn.beta, estimate.beta), rate, without_fit }

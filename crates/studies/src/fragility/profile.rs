@@ -1,7 +1,7 @@
 //! Intervals of separable data, by the profile likelihood.
 
 use super::binary::gap;
-use super::fit::Gap;
+use super::fit::{Gap, is_level};
 use super::link::probit;
 use super::newton::{self, Point};
 use super::runs::Stripe;
@@ -43,7 +43,7 @@ pub fn bounds(stripes: &[Stripe]) -> Bounds {
         .map(|stripe| [(stripe.level.ln() - centre) / range, stripe.z, stripe.n - stripe.z])
         .collect();
     let profile = Profile { counts, least: supremum(stripes, gap) - DROP };
-    let level = |s: f64| Some((centre + range * s).exp()).filter(|x| *x > 0.0 && x.is_finite());
+    let level = |s: f64| Some((centre + range * s).exp()).filter(|x| is_level(*x));
     let [stands, fails] = ends.map(|end| end.map(|end| (end - centre) / range));
     Bounds {
         theta: [
