@@ -29,8 +29,8 @@ impl Component {
         let bearing = word.strip_prefix(['N', 'S']).and_then(|rest| rest.strip_suffix(['E', 'W']));
         match word {
             "UP" | "UD" | "U-D" | "UPDO" | "U" | "V" | "V1" | "VER" | "VERT" | "VERTICAL" | "Z"
-            | "UPWARD" => Some(Component::Up),
-            "DWN" | "DN" | "DOWN" | "DU" | "DOWNWARD" => Some(Component::Down),
+            | "UPWARD" | "UPWARDS" => Some(Component::Up),
+            "DWN" | "DN" | "DOWN" | "DU" | "DOWNWARD" | "DOWNWARDS" => Some(Component::Down),
             "N" | "E" | "S" | "W" | "NS" | "EW" | "SN" | "WE" | "N-S" | "E-W" | "S-N" | "W-E"
             | "L" | "T" | "L1" | "T1" | "H" | "H1" | "H2" | "LONG" | "TRAN" | "TRANS"
             | "LONGITUDINAL" | "TRANSVERSE" | "HORIZONTAL" | "RADIAL" | "NORTH" | "SOUTH"

@@ -107,7 +107,7 @@ pub fn is_measures(text: &str) -> bool {
 }
 
 /// The entries of a list; its files lie beside it, or below.
-pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
+pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, String> {
     let text = &*delimited::plain(text);
     let heading = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
     let mut reader = csv::ReaderBuilder::new()
@@ -160,7 +160,7 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
         if row.horizontal.is_empty() {
             return Err(format!("line {at}: no horizontal file; give one"));
         }
-        let there = files.find(&row.horizontal);
+        let there = files.find(&row.horizontal, name);
         let mut entry = Entry::of(there.as_deref().unwrap_or(&row.horizontal));
         entry.missing = there.err();
         match row.vertical.as_deref().filter(|name| !name.is_empty()) {
@@ -171,7 +171,7 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
                     .push("no vertical in the list: the ground does not move vertically".into());
             }
             Some(up) => {
-                let found = files.find(up).map(String::from);
+                let found = files.find(up, name).map(String::from);
                 entry.missing =
                     entry.missing.or(found.as_ref().err().map(|why| format!("its vertical {why}")));
                 entry.vertical = found.ok();
