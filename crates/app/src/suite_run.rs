@@ -25,8 +25,9 @@ use super::suite::Source;
 use super::words::Reporter;
 use super::{InputError, interrupt, suite, words};
 
-/// The motions, and how they are run.
+/// The motions, and how they are run. What is refused under a suite is not in the help: a friction, and a scene's file.
 #[derive(clap::Args)]
+#[command(mut_arg("friction", hidden), mut_arg("save_scene", hidden))]
 pub struct SuiteFlags {
     /// Folder, zip or list of records, as for topple suite
     #[arg(long, value_name = "PATH", help_heading = "Suite")]
@@ -52,6 +53,11 @@ pub struct SuiteFlags {
     /// The run that this one repeats.
     #[arg(skip)]
     repeats: Option<Repeats>,
+}
+
+/// A flag that the help leaves out.
+pub fn hidden(flag: clap::Arg) -> clap::Arg {
+    flag.hide(true)
 }
 
 /// A run that is repeated.
@@ -277,6 +283,18 @@ pub fn tell_of_base(job: &SuiteJob, options: &RunOptions) -> Result<(), InputErr
     words::device(&Reporter::unless(options.quiet), None, &job.scene);
     words::warn_of_lossless_impacts(&plan, &job.grid);
     Ok(())
+}
+
+/// Warns of runs whose stroke no friction pendulum has.
+pub fn warn_of_radius(swept: &SuiteSweep) {
+    let (cells, largest) = swept.beyond_radius();
+    match (swept.grid.len(), cells) {
+        (_, 0) => {}
+        (1, _) => {
+            words::warn_of_radius(None, swept.scene.numbers.get(Parameter::Radius), largest);
+        }
+        _ => words::warn_of_radii(cells),
+    }
 }
 
 /// How much is swept, in words: cells, motions, levels.

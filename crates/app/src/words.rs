@@ -211,6 +211,9 @@ pub fn warn_of_radii(cells: usize) {
     )));
 }
 
+/// What is wrong where the base would have to pull the block down.
+pub const TENSILE: &str = "the contact force is tensile, and the model does not hold";
+
 /// What is wrong with a stroke beyond the radius, and what to do.
 const BEYOND: &str =
     "no dish is so large, and the law is that of small angles; give its end stop (`stop_gap`)";

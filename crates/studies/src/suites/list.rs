@@ -9,6 +9,7 @@ use super::delimited;
 use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
 use topple::scene::record::Units;
+use topple::scene::record::text::printable;
 use topple::scene::record::zips::MOST_FILES;
 use topple::scene::shown::shown;
 
@@ -190,14 +191,16 @@ pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, String>
         entry.channels = [row.horizontal_channel, row.vertical_channel]
             .map(|channel| channel.filter(|channel| !channel.is_empty()));
         // Files of one name in two folders get ids of their own.
-        if let Some(id) = row.id.filter(|id| !id.is_empty()) {
+        let id = row.id.as_deref().map(printable);
+        if let Some(id) = id.filter(|id| !id.is_empty()) {
             if !ids.insert(id.clone()) {
+                let id = shown(&id);
                 return Err(format!("line {at}: the id {id} stands twice; give each its own"));
             }
             entry.id = id;
         }
-        entry.event = row.event.unwrap_or_default();
-        entry.station = row.station.unwrap_or_default();
+        entry.event = row.event.as_deref().map_or(String::new(), printable);
+        entry.station = row.station.as_deref().map_or(String::new(), printable);
         entries.push(entry);
     }
     if entries.is_empty() {

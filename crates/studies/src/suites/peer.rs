@@ -5,6 +5,7 @@ use super::delimited;
 use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
 use super::list::within;
+use topple::scene::record::text::printable;
 
 /// How the heading of its table begins.
 const HEADING: &str = "Result ID";
@@ -91,8 +92,9 @@ pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, String>
             let there = files.find(listed, name);
             let mut entry = Entry::of(there.as_deref().unwrap_or(listed));
             let year = field(year);
-            entry.event = [field(event), year].join(if year.is_empty() { "" } else { ", " });
-            entry.station = field(station).into();
+            entry.event =
+                printable(&[field(event), year].join(if year.is_empty() { "" } else { ", " }));
+            entry.station = printable(field(station));
             entry.missing = there.err();
             let up = field(vertical);
             if !up.is_empty() {
