@@ -180,6 +180,7 @@ pub fn run_cell(scene: &Scene, more: &MoreColumns, options: &RunOptions) -> anyh
     out.finish(&manifest)?;
     let say = Reporter::unless(options.quiet);
     words::device(&say, None, scene);
+    words::record(&say, scene);
     let name = outcome.class.name().replace('_', " ");
     let impacts = match outcome.impacts {
         1 => "1 impact".into(),

@@ -128,6 +128,11 @@ pub fn scene(say: &Reporter, scene: &Scene, grid: &Grid) {
     });
     say.line("", topple::scene::words::line(scene));
     device(say, None, scene);
+    record(say, scene);
+}
+
+/// The record of a scene, with what was decided of it.
+pub fn record(say: &Reporter, scene: &Scene) {
     if let Excitation::Record(pair) = &scene.excitation {
         say.line("record", format!("{}, {} samples at {} s", pair.title, pair.len(), pair.dt));
         for note in &pair.notes {
