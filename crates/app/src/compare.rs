@@ -34,7 +34,7 @@ use super::{InputError, examples, fragility_rates, further, suite, words};
 /// Compare the devices of a list under every motion of a suite, side by side.
 #[derive(clap::Args)]
 // A device has one cell: there are no axes of a picture.
-#[command(after_help = examples::COMPARE, mut_arg("x", suite_run::hidden), mut_arg("y", suite_run::hidden))]
+#[command(after_help = examples::COMPARE, mut_args(|flag| suite_run::without(flag, &["x", "y"])))]
 pub struct CompareCommand {
     /// List of devices (CSV)
     #[arg(value_name = "DEVICES")]

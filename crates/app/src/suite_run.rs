@@ -27,7 +27,7 @@ use super::{InputError, interrupt, suite, words};
 
 /// The motions, and how they are run. What is refused under a suite is not in the help: a friction, and a scene's file.
 #[derive(clap::Args)]
-#[command(mut_arg("friction", hidden), mut_arg("save_scene", hidden))]
+#[command(mut_args(|flag| without(flag, &["friction", "save_scene"])))]
 pub struct SuiteFlags {
     /// Folder, zip or list of records, as for topple suite
     #[arg(long, value_name = "PATH", help_heading = "Suite")]
@@ -55,9 +55,10 @@ pub struct SuiteFlags {
     repeats: Option<Repeats>,
 }
 
-/// A flag that the help leaves out.
-pub fn hidden(flag: clap::Arg) -> clap::Arg {
-    flag.hide(true)
+/// A flag, which the help leaves out if it is one of those that are refused.
+pub fn without(flag: clap::Arg, refused: &[&str]) -> clap::Arg {
+    let is_refused = refused.contains(&flag.get_id().as_str());
+    if is_refused { flag.hide(true) } else { flag }
 }
 
 /// A run that is repeated.
