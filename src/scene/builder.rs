@@ -7,6 +7,7 @@ use super::excitation::{self, Excitation, RecordText};
 use super::numbers::Numbers;
 use super::parameters::Parameter;
 use super::record::Pair;
+use super::record::text::printable;
 use super::{Directions, Overturn, Pressure, Scene, SceneError, Values};
 use super::{block, check, isolation, shown};
 use crate::model::pulse::Shape;
@@ -189,7 +190,7 @@ impl SceneBuilder {
         numbers.set_missing(Parameter::Tilt, 0.0);
         let pressure = self.check_pressure(&numbers)?;
         let scene = Scene {
-            title: self.title.clone().unwrap_or_else(|| default_title.into()),
+            title: self.title.as_deref().map_or_else(|| default_title.into(), printable),
             isolation: directions,
             pressure,
             overturn: self.overturn.unwrap_or(Overturn::CriticalAngle),

@@ -4,16 +4,14 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use topple::results::earlier::Kind;
-use topple::scene::record::rounded;
 use topple::scene::record::text::decoded;
 use topple::scene::{Grid, Parameter, Scene, Values, bounded, path_text};
 use topple_pictures::drawing::render;
 use topple_pictures::studies::comparison as picture;
 use topple_studies::comparison::{
     self, Compared, Comparison, ComparisonError, ComparisonJob, ComparisonRequest, Device,
-    RateRequest, devices,
+    RateRequest, Rated, devices,
 };
-use topple_studies::fragility::RateEstimate;
 use topple_studies::suites::Resample;
 use topple_studies::suites::envelope::{CellEnvelope, Limits};
 use topple_studies::suites::intensity::Intensity;
@@ -31,11 +29,12 @@ use super::options::{CommonFlags, RunOptions, flag_error};
 use super::results_directory::{Place, picture_files};
 use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
 use super::words::{Reporter, with_flags};
-use super::{InputError, examples, further, suite, words};
+use super::{InputError, examples, fragility_rates, further, suite, words};
 
 /// Compare the devices of a list under every motion of a suite, side by side.
 #[derive(clap::Args)]
-#[command(after_help = examples::COMPARE)]
+// A device has one cell: there are no axes of a picture.
+#[command(after_help = examples::COMPARE, mut_args(|flag| suite_run::without(flag, &["x", "y"])))]
 pub struct CompareCommand {
     /// List of devices (CSV)
     #[arg(value_name = "DEVICES")]
@@ -48,7 +47,7 @@ pub struct CompareCommand {
     pub motions: SuiteFlags,
     #[command(flatten)]
     limits: LimitFlags,
-    /// Factors on the motions for the reserve: the largest factor up to which all limits are kept
+    /// Factors on the motions for the reserve: the largest of them, and of 1, up to which all limits are kept; it is as exact as they are close
     #[arg(long, value_name = "FACTORS", help_heading = "Suite", allow_hyphen_values = true)]
     scales: Option<Values>,
     #[command(flatten)]
@@ -179,6 +178,10 @@ impl CompareCommand {
         }
         let settings = &compared.settings;
         told::warn_of_few(&settings.groups);
+        if let Some(hazard) = &settings.hazard {
+            let stripes = compared.devices.iter().flat_map(|device| &device.rate);
+            told::warn_of_units(stripes.flat_map(|rated| &rated.stripes), Some(hazard), im);
+        }
         let ids = suite.motions().map(|(entry, _)| entry.id.as_str()).collect();
         let named = settings.devices.iter().zip(scenes);
         let manifest = Manifest {
@@ -201,8 +204,9 @@ impl CompareCommand {
             inputs,
             verified: &compared.sweep.verified,
         };
+        warn_of_model(&compared);
         out.finish(&manifest)?;
-        tell(&compared, &say);
+        tell(&compared, im, &say);
         suite_run::tell_verified(&compared.sweep, &say);
         compared.sweep.discard_saved()?;
         match svg {
@@ -271,18 +275,32 @@ impl CompareCommand {
 }
 
 /// Says what became of each device.
-fn tell(compared: &Comparison, say: &Reporter) {
+fn tell(compared: &Comparison, im: Intensity, say: &Reporter) {
+    let unit = &told::unit(im);
     let groups = &compared.settings.groups;
     say.line("intervals", told::intervals(groups, compared.records()));
     for (number, (name, device)) in compared.rows().enumerate() {
         say.line(if number == 0 { "devices" } else { "" }, one(name, device, compared));
+        if let Some(rated) = &device.rate {
+            let Rated { estimate, stripes, empirical } = rated;
+            let mut lines = fragility_rates::lines((stripes, *empirical), estimate, unit, None);
+            if let (true, Some(note)) = (lines.is_empty(), &estimate.note) {
+                lines.push(format!("annual rate not known: {note}"));
+            }
+            lines.iter().for_each(|line| say.line("", format!("  {line}")));
+        }
     }
+}
+
+/// Warns of devices under which the model does not hold.
+fn warn_of_model(compared: &Comparison) {
     let tensile = compared.rows().filter(|(_, device)| device.tensile > 0);
     let tensile: Vec<String> =
         tensile.map(|(name, device)| format!("{name} under {}", device.tensile)).collect();
     if !tensile.is_empty() {
         words::warn(format!(
-            "the contact force is tensile, and the model does not hold: {} of {}",
+            "{}: {} of {}",
+            words::TENSILE,
             tensile.join(", "),
             suite::counted(compared.records(), "motion")
         ));
@@ -298,7 +316,7 @@ fn tell(compared: &Comparison, say: &Reporter) {
 
 /// A device in words.
 fn one(name: &str, device: &Compared, of: &Comparison) -> String {
-    let Compared { cell, reserve, rate, stop_from, .. } = device;
+    let Compared { cell, reserve, stop_from, .. } = device;
     let mut text = format!("{name}: stands under {:.1} %", 100.0 * cell.standing);
     text += &format!(
         ", overturning has P = {}{}",
@@ -322,17 +340,19 @@ fn one(name: &str, device: &Compared, of: &Comparison) -> String {
     };
     if let Some(reserve) = reserve {
         text += &match (reserve.keeps, reserve.fails) {
-            (None, _) => ", no reserve".to_string(),
+            (None, Some(fails)) => {
+                format!(", no reserve: fails at {fails} times the motions, the least")
+            }
+            (None, None) => ", no reserve".to_string(),
             (Some(keeps), Some(fails)) => {
-                format!(", keeps all limits up to {keeps} times the motions, not at {fails}")
+                format!(
+                    ", keeps all limits up to {keeps} times the motions and fails between {keeps} and {fails}"
+                )
             }
             (Some(keeps), None) => {
                 format!(", keeps all limits up to {keeps} times the motions and perhaps more")
             }
         };
-    }
-    if of.settings.hazard.is_some() {
-        text += &annual(rate.as_ref());
     }
     if !cell.feasible {
         text += &format!("; {}", not_kept(cell, of.settings.limits));
@@ -354,24 +374,4 @@ fn not_kept(cell: &CellEnvelope, limits: Limits) -> String {
         kinds.push("the stroke of v is beyond its limit".to_string());
     }
     kinds.join(", ")
-}
-
-/// An annual rate in words.
-fn annual(rate: Option<&RateEstimate>) -> String {
-    let number = |value: f64| rounded(value, 3).to_string();
-    match rate {
-        Some(RateEstimate { rate: Some(value), low, high, .. }) => {
-            let within = match (low, high) {
-                (Some(low), Some(high)) => format!(" ({} to {})", number(*low), number(*high)),
-                (Some(low), None) => format!(" (above {})", number(*low)),
-                (None, Some(high)) => format!(" (below {})", number(*high)),
-                (None, None) => String::new(),
-            };
-            format!(", annual rate {}{within}", number(*value))
-        }
-        Some(RateEstimate { high: Some(high), .. }) => {
-            format!(", annual rate not known, {} at the most", number(*high))
-        }
-        _ => ", annual rate not known".to_string(),
-    }
 }

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 use topple::results::earlier::Kind;
+use topple::scene::Grid;
 use topple::scene::record::rounded;
-use topple::scene::{Grid, Parameter};
 use topple_pictures::drawing::render;
 use topple_pictures::studies::{envelope as envelope_picture, envelope_curves};
 use topple_studies::suites::Resample;
@@ -25,7 +25,7 @@ use super::results_directory::{Place, picture_files};
 use super::suite::counted;
 use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
 use super::words::Reporter;
-use super::{InputError, examples, further, suite, words};
+use super::{InputError, examples, further, suite};
 
 /// Sweep a scene under every motion of a suite: find the cells in which the block stands within given strokes.
 #[derive(clap::Args)]
@@ -142,6 +142,7 @@ impl EnvelopeCommand {
         let motions = swept.motions.iter().step_by(times).map(|motion| motion.id.as_str());
         let groups = envelope.settings.intervals.as_ref().map(|(groups, _)| groups);
         groups.into_iter().for_each(warn_of_few);
+        suite_run::warn_of_radius(swept);
         let manifest = Manifest {
             suite: self.motions.manifest(swept, motions.collect(), (&suite, options)),
             standing: limits.standing,
@@ -190,10 +191,6 @@ fn tell(envelope: &Envelope, best: &[usize], say: &Reporter) {
     for (number, cell) in best.iter().take(BEST).enumerate() {
         let name = if number == 0 && cells == 1 { "best" } else { "" };
         say.line(name, one(envelope, *cell));
-    }
-    if let Some(cell) = best.first() {
-        let largest = envelope.cells[*cell].max_u[2];
-        words::warn_of_radius(None, envelope.sweep.scene.numbers.get(Parameter::Radius), largest);
     }
     if best.is_empty()
         && let Some(cell) = envelope.nearest()

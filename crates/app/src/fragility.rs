@@ -240,6 +240,7 @@ impl FragilityCommand {
             out.picture(name, svg, png)?;
         }
         told::warn(&study, self.im);
+        suite_run::warn_of_radius(swept);
         let empty = self.exports().filter(|export| export.is_empty(&study));
         empty.for_each(|export| words::warn(told::without_curves(export)));
         let records = study.records().collect();

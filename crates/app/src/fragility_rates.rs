@@ -4,8 +4,8 @@ use topple::scene::record::rounded;
 use topple_studies::fragility::estimate::{Estimate, Note};
 use topple_studies::fragility::hazard::in_50_years;
 use topple_studies::fragility::order::Crossing;
-use topple_studies::fragility::study::{StateStudy, Study};
-use topple_studies::fragility::{Gap, RateEstimate};
+use topple_studies::fragility::study::Study;
+use topple_studies::fragility::{Gap, RateEstimate, Stripe};
 
 use super::words::{self, Reporter};
 
@@ -20,8 +20,14 @@ fn percent(share: f64) -> String {
     format!("{} %", rounded(100.0 * share, 2))
 }
 
-/// The lines of a fit's annual rate; none without a hazard curve. `unit` stands behind a level.
-pub fn lines(of: &StateStudy, fit: &Estimate, unit: &str, target: Option<f64>) -> Vec<String> {
+/// The lines of a fit's annual rate; none without a hazard curve. `empirical` is the rate by the shares of the motions alone,
+/// `unit` stands behind a level.
+pub fn lines(
+    (stripes, empirical): (&[Stripe], Option<f64>),
+    fit: &Estimate,
+    unit: &str,
+    target: Option<f64>,
+) -> Vec<String> {
     let Some(rate) = &fit.rate else { return Vec::new() };
     let mut lines = Vec::new();
     match rate.rate {
@@ -37,10 +43,8 @@ pub fn lines(of: &StateStudy, fit: &Estimate, unit: &str, target: Option<f64>) -
         None => lines.push(format!("annual rate not known: {}", unknown(fit, rate, unit))),
     }
     let mut data = Vec::new();
-    data.extend(
-        of.empirical.map(|own| format!("by the shares of the motions alone {}", digits(own))),
-    );
-    let fails = of.stripes.iter().find(|stripe| stripe.z > 0.0).map(|stripe| stripe.level);
+    data.extend(empirical.map(|own| format!("by the shares of the motions alone {}", digits(own))));
+    let fails = stripes.iter().find(|stripe| stripe.z > 0.0).map(|stripe| stripe.level);
     if let (Some(share), Some(level)) = (rate.without_failures, fails) {
         let below = rounded(level, 4);
         data.push(format!(
@@ -49,7 +53,7 @@ pub fn lines(of: &StateStudy, fit: &Estimate, unit: &str, target: Option<f64>) -
         ));
     }
     let above = rate.above_levels.filter(|share| *share >= SHOWN);
-    if let (Some(share), Some(last)) = (above, of.stripes.last()) {
+    if let (Some(share), Some(last)) = (above, stripes.last()) {
         let level = rounded(last.level, 4);
         data.push(format!("{} from above the highest level, {level}{unit}", percent(share)));
     }

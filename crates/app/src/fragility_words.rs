@@ -7,7 +7,7 @@ use topple::scene::record::rounded;
 use topple_studies::fragility::estimate::Estimate;
 use topple_studies::fragility::sensitivity::Sensitivity;
 use topple_studies::fragility::study::Study;
-use topple_studies::fragility::{Export, HazardText};
+use topple_studies::fragility::{Export, HazardCurve, HazardText, Stripe};
 use topple_studies::suites::intensity::Intensity;
 use topple_studies::suites::resample::{FEWEST_EVENTS, Groups, Resample};
 
@@ -30,7 +30,7 @@ pub fn hazard(path: &Path, hazard: &HazardText, im: Intensity, say: &Reporter) {
 }
 
 /// The unit of a measure behind a number.
-fn unit(im: Intensity) -> String {
+pub fn unit(im: Intensity) -> String {
     if im.unit() == "1" { String::new() } else { format!(" {}", im.unit()) }
 }
 
@@ -50,7 +50,9 @@ pub fn notes(study: &Study) -> Vec<String> {
 /// Warns of what the curves tell less well than they seem to.
 pub fn warn(study: &Study, im: Intensity) {
     warn_of_few(&study.settings.groups);
-    warn_of_units(study, im);
+    let states = study.cells.iter().flat_map(|cell| &cell.states);
+    let stripes = states.flat_map(|of| &of.stripes);
+    warn_of_units(stripes, study.settings.hazard.as_ref(), im);
     rates::warn_of_crossings(study, &unit(im));
 }
 
@@ -77,11 +79,18 @@ pub fn warn_of_few(groups: &Groups) {
 
 /// Warns of levels of which those that were meant may be in another unit: none of them does anything to a block, or none is a
 /// level of the hazard curve.
-fn warn_of_units(study: &Study, im: Intensity) {
-    let levels = study.settings.levels.iter().flatten().copied();
-    let (low, high) = levels.fold((f64::MAX, 0.0_f64), |(low, high), x| (low.min(x), high.max(x)));
+pub fn warn_of_units<'a>(
+    stripes: impl Iterator<Item = &'a Stripe>,
+    hazard: Option<&HazardCurve>,
+    im: Intensity,
+) {
+    let (mut low, mut high, mut fails) = (f64::MAX, 0.0_f64, false);
+    for stripe in stripes {
+        (low, high) = (low.min(stripe.level), high.max(stripe.level));
+        fails |= stripe.z > 0.0;
+    }
     let ends = format!("{} to {}{}", rounded(low, 4), rounded(high, 4), unit(im));
-    if let Some([from, to]) = study.settings.hazard.as_ref().map(|hazard| hazard.ends())
+    if let Some([from, to]) = hazard.map(HazardCurve::ends)
         && (high < from || low > to)
     {
         let side = if high < from { "below" } else { "above" };
@@ -90,8 +99,6 @@ fn warn_of_units(study: &Study, im: Intensity) {
             "all levels, {ends}, are {side} the hazard curve, {curve}: are both in the same unit?"
         ));
     }
-    let states = study.cells.iter().flat_map(|cell| &cell.states);
-    let fails = states.flat_map(|of| &of.counts).any(|(_, _, failed)| *failed > 0);
     if im.unit() == "m/s²" && !fails && high < MEANT_IN_G {
         words::warn(format!(
             "no motion does anything at the levels, {ends}: levels are in m/s²; if they were meant in g, multiply them by 9.81"
@@ -146,7 +153,7 @@ pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
                 let text = format!("of beta the records {records}, what is not known {numbers}");
                 say.line("", format!("         {text}"));
             }
-            for line in rates::lines(of, fit, &unit(im), target) {
+            for line in rates::lines((&of.stripes, of.empirical), fit, &unit(im), target) {
                 say.line("", format!("         {line}"));
             }
         }

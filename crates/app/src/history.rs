@@ -13,7 +13,7 @@ use topple::scene::builder::SceneBuilder;
 use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::excitation::RecordText;
 use topple::scene::record::Provenance;
-use topple::scene::{Grid, Scene};
+use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::settings::Method;
 use topple_pictures::drawing::render;
@@ -153,6 +153,12 @@ pub fn run_cell(scene: &Scene, more: &MoreColumns, options: &RunOptions) -> anyh
         (_, Precision::F64) => motion::by_steps::<f64>(&plan.at(Precision::F64), &case),
     };
     motion::check_rows(&rows).map_err(|error| flag_error(&error))?;
+    if outcome.class.stands() {
+        words::warn_of_radius(None, scene.numbers.get(Parameter::Radius), outcome.max_u);
+    }
+    if outcome.min_contact < 0.0 {
+        words::warn(words::TENSILE);
+    }
     let svg = figure::draw(scene, &case, &rows, &outcome, print)?;
     let png = render::png(&svg)?;
     out.begin(files.to_vec(), &Reporter::unless(options.quiet))?;
@@ -174,6 +180,7 @@ pub fn run_cell(scene: &Scene, more: &MoreColumns, options: &RunOptions) -> anyh
     out.finish(&manifest)?;
     let say = Reporter::unless(options.quiet);
     words::device(&say, None, scene);
+    words::record(&say, scene);
     let name = outcome.class.name().replace('_', " ");
     let impacts = match outcome.impacts {
         1 => "1 impact".into(),

@@ -25,8 +25,9 @@ use super::suite::Source;
 use super::words::Reporter;
 use super::{InputError, interrupt, suite, words};
 
-/// The motions, and how they are run.
+/// The motions, and how they are run. What is refused under a suite is not in the help: a friction, and a scene's file.
 #[derive(clap::Args)]
+#[command(mut_args(|flag| without(flag, &["friction", "save_scene"])))]
 pub struct SuiteFlags {
     /// Folder, zip or list of records, as for topple suite
     #[arg(long, value_name = "PATH", help_heading = "Suite")]
@@ -52,6 +53,12 @@ pub struct SuiteFlags {
     /// The run that this one repeats.
     #[arg(skip)]
     repeats: Option<Repeats>,
+}
+
+/// A flag, which the help leaves out if it is one of those that are refused.
+pub fn without(flag: clap::Arg, refused: &[&str]) -> clap::Arg {
+    let is_refused = refused.contains(&flag.get_id().as_str());
+    if is_refused { flag.hide(true) } else { flag }
 }
 
 /// A run that is repeated.
@@ -277,6 +284,18 @@ pub fn tell_of_base(job: &SuiteJob, options: &RunOptions) -> Result<(), InputErr
     words::device(&Reporter::unless(options.quiet), None, &job.scene);
     words::warn_of_lossless_impacts(&plan, &job.grid);
     Ok(())
+}
+
+/// Warns of runs whose stroke no friction pendulum has.
+pub fn warn_of_radius(swept: &SuiteSweep) {
+    let (cells, largest) = swept.beyond_radius();
+    match (swept.grid.len(), cells) {
+        (_, 0) => {}
+        (1, _) => {
+            words::warn_of_radius(None, swept.scene.numbers.get(Parameter::Radius), largest);
+        }
+        _ => words::warn_of_radii(cells),
+    }
 }
 
 /// How much is swept, in words: cells, motions, levels.

@@ -128,6 +128,11 @@ pub fn scene(say: &Reporter, scene: &Scene, grid: &Grid) {
     });
     say.line("", topple::scene::words::line(scene));
     device(say, None, scene);
+    record(say, scene);
+}
+
+/// The record of a scene, with what was decided of it.
+pub fn record(say: &Reporter, scene: &Scene) {
     if let Excitation::Record(pair) = &scene.excitation {
         say.line("record", format!("{}, {} samples at {} s", pair.title, pair.len(), pair.dt));
         for note in &pair.notes {
@@ -210,6 +215,9 @@ pub fn warn_of_radii(cells: usize) {
         verdict::cells(cells)
     )));
 }
+
+/// What is wrong where the base would have to pull the block down.
+pub const TENSILE: &str = "the contact force is tensile, and the model does not hold";
 
 /// What is wrong with a stroke beyond the radius, and what to do.
 const BEYOND: &str =

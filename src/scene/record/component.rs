@@ -14,8 +14,10 @@ pub enum Component {
 impl Component {
     /// The component that a word means: an azimuth (`228`, `90 Deg`), a bearing (`N17E`), a direction (`EW`, `U-D`).
     pub fn named(word: &str) -> Option<Component> {
-        // What stands in brackets is no part of it: `090 (CUE)`.
-        let word = word.split('(').next().unwrap_or_default().to_uppercase();
+        // What stands in brackets is no part of it, as of `090 (CUE)`, but for the way of `VERTICAL (DOWN)`.
+        let upper = word.to_uppercase();
+        let (word, bracket) = upper.split_once('(').unwrap_or((&upper, ""));
+        let bracket = bracket.trim_end().trim_end_matches(')');
         let word: String = word.chars().filter(|c| !c.is_whitespace() && *c != '°').collect();
         // PEER's newer names have a dash before a letter.
         let letter = word.strip_prefix('-').filter(|word| word.starts_with(char::is_alphabetic));
@@ -27,10 +29,15 @@ impl Component {
         let degrees =
             |text: &str| text.parse::<f64>().is_ok_and(|degrees| (0.0..=360.0).contains(&degrees));
         let bearing = word.strip_prefix(['N', 'S']).and_then(|rest| rest.strip_suffix(['E', 'W']));
+        let axis = ["VERTICAL", "VERT", "UD", "Z"].iter().find_map(|axis| word.strip_prefix(axis));
+        let way = axis.map(|rest| rest.trim_start_matches(['-', '_', ':', ',']));
+        if [way, axis.and(Some(bracket.trim()))].into_iter().flatten().any(is_down) {
+            return Some(Component::Down);
+        }
         match word {
+            _ if is_down(word) => Some(Component::Down),
             "UP" | "UD" | "U-D" | "UPDO" | "U" | "V" | "V1" | "VER" | "VERT" | "VERTICAL" | "Z"
-            | "UPWARD" => Some(Component::Up),
-            "DWN" | "DN" | "DOWN" | "DU" | "DOWNWARD" => Some(Component::Down),
+            | "UPWARD" | "UPWARDS" => Some(Component::Up),
             "N" | "E" | "S" | "W" | "NS" | "EW" | "SN" | "WE" | "N-S" | "E-W" | "S-N" | "W-E"
             | "L" | "T" | "L1" | "T1" | "H" | "H1" | "H2" | "LONG" | "TRAN" | "TRANS"
             | "LONGITUDINAL" | "TRANSVERSE" | "HORIZONTAL" | "RADIAL" | "NORTH" | "SOUTH"
@@ -54,6 +61,11 @@ impl Component {
     pub fn is_vertical(self) -> bool {
         self != Component::Horizontal
     }
+}
+
+/// True of the words for down, in capitals.
+fn is_down(word: &str) -> bool {
+    ["DWN", "DN", "DOWN", "DU", "DOWNWARD", "DOWNWARDS"].contains(&word)
 }
 
 /// The azimuth of a word that states one, degrees from north over east: `228`, `S45W`, `NS`, `E-W`, a channel `HNE`.
@@ -136,10 +148,14 @@ mod tests {
 
     #[test]
     fn words_tell_components() {
-        for word in ["UP", "ud", "U-D", "V", "Vert", "UPDO", "up ", "-V", "-up"] {
+        for word in
+            ["UP", "ud", "U-D", "V", "Vert", "UPDO", "up ", "-V", "-up", "Z (up)", "V (CUE)"]
+        {
             assert_eq!(Component::named(word), Some(Component::Up), "{word}");
         }
-        for word in ["DWN", "DN", "down"] {
+        for word in
+            ["DWN", "DN", "down", "Vertical (down)", "VERT-DOWN", "Z down", "Downwards", "Z (DWN)"]
+        {
             assert_eq!(Component::named(word), Some(Component::Down), "{word}");
         }
         for word in

@@ -33,7 +33,8 @@ fn questioned(
     }
     if let Some(vertical) = vertical {
         let v = &vertical.title;
-        if let Some(what) = unlikely(&vertical.samples) {
+        let rests = vertical.peak() == 0.0;
+        if let (Some(what), false) = (unlikely(&vertical.samples), rests) {
             return asked("vertical", format!("{what}: '{v}' is no motion"));
         }
         if vertical.samples == horizontal.samples {
@@ -127,6 +128,9 @@ pub fn bring(
         if vertical.stated.component == Some(Component::Down) {
             vertical.samples.iter_mut().for_each(|a| *a = -*a);
             vertical.notes.push("positive down by its file: turned over".into());
+        }
+        if vertical.peak() == 0.0 {
+            vertical.notes.push("all zeros: the ground does not move vertically".into());
         }
         align(&mut horizontal, vertical);
     }

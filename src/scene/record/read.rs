@@ -200,8 +200,13 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> 
     let stated = Stated { event: short(&stated.event), station: short(&stated.station), ..stated };
     let record = Record { title, dt, samples, stated, notes };
     let peak = record.peak() / GRAVITY;
+    // A ground that does not move vertically may be given as zeros.
+    if peak == 0.0 && hints.vertical == Some(true) {
+        return Ok((record, units));
+    }
     if !(peak > 0.0 && peak.is_finite()) {
-        return Err(RecordError::whole("every sample is zero; this is no record"));
+        let problem = "every sample is zero; zeros may be a vertical component alone: give a file with a motion";
+        return Err(RecordError::whole(problem));
     }
     if !hints.scaled && !PLAUSIBLE.contains(&peak) {
         let problem = format!(

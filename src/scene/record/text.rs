@@ -45,9 +45,11 @@ pub fn decoded(bytes: &[u8]) -> Result<String, RecordError> {
     Ok(text)
 }
 
-/// A text without control characters, which a terminal would obey and an SVG may not hold.
-pub(crate) fn printable(text: &str) -> String {
-    text.chars().filter(|c| !c.is_control()).collect()
+/// A name or a title from a file as it is shown, in one line: a blank for a line break or a tab, and without other control
+/// characters, which a terminal would obey and an SVG may not hold.
+pub fn printable(text: &str) -> String {
+    let blank = |c: char| if c.is_control() && c.is_whitespace() { ' ' } else { c };
+    text.replace("\r\n", "\n").chars().map(blank).filter(|c| !c.is_control()).collect()
 }
 
 #[cfg(test)]
@@ -131,5 +133,6 @@ mod tests {
             assert!(error.contains(said), "{error}");
         }
         assert_eq!(printable("a\u{1b}[31mb\u{7}"), "a[31mb");
+        assert_eq!(printable("a\r\nb\tc\nd"), "a b c d");
     }
 }

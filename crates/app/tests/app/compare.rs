@@ -26,6 +26,12 @@ fn topple(arguments: &[&str]) -> assert_cmd::assert::Assert {
     Command::cargo_bin("topple").unwrap().args(arguments).args(["--backend", "cpu"]).assert()
 }
 
+/// What a run prints, its lines joined.
+fn words(run: &assert_cmd::assert::Assert) -> String {
+    let told = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
+    told.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// The rows of a table, a map each.
 fn rows(path: &Path) -> Vec<BTreeMap<String, String>> {
     let mut reader = csv::Reader::from_path(path).unwrap();
@@ -105,8 +111,9 @@ fn a_reserve_is_where_the_envelope_of_stronger_motions_first_fails() {
     let (devices, (out, to)) = (list(&place), within(&place, "compared"));
     let limits = ["--limit-u", "0.2", "--verify", "none"];
     let common = ["compare", &devices, "--object", "1", "--suite", &suite, "--out", &to];
-    // Out of order on purpose.
-    topple(&[&common[..], &limits, &["--scales", "1,0.25,0.5,2,4"]].concat()).success();
+    // Out of order on purpose; 1 is among them in any case.
+    let run = topple(&[&common[..], &limits, &["--scales", "4,0.25,0.5,2"]].concat()).success();
+    let told = words(&run);
     let mut seen = 0;
     for (row, (name, flags)) in rows(&out.join("compare.csv")).iter().zip(ALONE) {
         let (one, to) = within(&place, name);
@@ -121,9 +128,20 @@ fn a_reserve_is_where_the_envelope_of_stronger_motions_first_fails() {
             first.unwrap_or(cells.len()).checked_sub(1).map_or("0.0", |k| &cells[k]["scale"]);
         let fails = first.map_or("", |k| &cells[k]["scale"]);
         assert_eq!((&*row["reserve"], &*row["fails_at"]), (keeps, fails), "{name}");
-        seen += usize::from(first.is_some_and(|k| k > 0));
+        if first.is_some_and(|k| k > 0) {
+            let [keeps, fails] = [keeps, fails].map(|factor| factor.trim_end_matches(".0"));
+            let wanted =
+                format!("up to {keeps} times the motions and fails between {keeps} and {fails}");
+            assert!(told.contains(&wanted), "{wanted}: {told}");
+            seen += 1;
+        }
     }
     assert!(seen > 0, "no device fails between two factors");
+    // All fail as the motions are, which is before the only factor of the list.
+    topple(&[&common[..], &limits, &["--scales", "2"]].concat()).success();
+    for row in rows(&out.join("compare.csv")) {
+        assert_eq!((&*row["reserve"], &*row["fails_at"]), ("0.0", "1.0"), "{}", row["device"]);
+    }
 }
 
 #[test]
@@ -144,13 +162,13 @@ fn an_annual_rate_is_that_of_the_fragility_of_the_device_alone() {
         "none",
     ];
     let common = ["compare", &devices, "--object", "1", "--suite", &suite, "--out", &to];
-    topple(&[&common[..], &of_site, &["--scales", "0.5,2"]].concat()).success();
-    let mut known = 0;
+    let told = words(&topple(&[&common[..], &of_site, &["--scales", "0.5,2"]].concat()).success());
+    let (mut known, mut said) = (0, 0);
     for (row, (name, flags)) in rows(&out.join("compare.csv")).iter().zip(ALONE) {
         let (one, to) = within(&place, name);
         let flags: Vec<&str> = flags.split(' ').collect();
         let more = ["--estimator", "stripes", "--bootstrap", "1000"];
-        topple(
+        let run = topple(
             &[&["fragility", "--suite", &suite, "--out", &to][..], &flags, &of_site, &more]
                 .concat(),
         )
@@ -160,9 +178,17 @@ fn an_annual_rate_is_that_of_the_fragility_of_the_device_alone() {
         for column in ["rate", "rate_low", "rate_high"] {
             assert_eq!(row[column], rate[column], "{name}: {column}");
         }
+        // What stands behind it is said in the same words.
+        let alone = words(&run);
+        let first = alone.split(" uplift ").next().unwrap();
+        if let Some((_, of_rate)) = first.split_once("annual rate ") {
+            let of_device = told.split(&format!("{name}: stands")).nth(1).unwrap();
+            assert!(of_device.contains(&format!("annual rate {of_rate}")), "{of_rate}: {told}");
+            said += usize::from(of_rate.contains("where no motion fails"));
+        }
         known += usize::from(!row["rate"].is_empty());
     }
-    assert!(known > 1, "{known}");
+    assert!(known > 1 && said > 0, "{known} {said}: {told}");
 }
 
 #[test]
@@ -293,4 +319,38 @@ fn what_is_wrong_with_a_device_is_told_by_its_columns() {
     let line = ["compare", &devices, "--object", "1", "--suite", &suite, "--out", &to];
     let said = refused(&line);
     assert!(said.contains("line 2") && !said.contains("--k1"), "{said}");
+}
+
+#[test]
+fn the_help_lists_what_a_command_takes() {
+    let help = |command: &str| {
+        let run = Command::cargo_bin("topple").unwrap().args([command, "--help"]).assert();
+        String::from_utf8(run.success().get_output().stdout.clone()).unwrap()
+    };
+    for (command, refused) in [
+        ("compare", &["--friction", "--save-scene", "--x", "--y"][..]),
+        ("envelope", &["--friction", "--save-scene"]),
+        ("fragility", &["--friction", "--save-scene"]),
+        ("seismic", &[]),
+    ] {
+        let text = help(command);
+        for flag in ["--friction", "--save-scene", "--x", "--y", "--tilt"] {
+            let listed = text.contains(&format!(" {flag} <"));
+            assert_eq!(listed, !refused.contains(&flag), "{command} {flag}");
+        }
+    }
+}
+
+#[test]
+fn the_name_of_a_device_is_one_line() {
+    let (place, suite) = suite();
+    let path = place.path().join("lines.csv");
+    fs::write(&path, "device,isolation\n\"on the\nground\",none\n").unwrap();
+    let (out, to) = within(&place, "compared");
+    let devices = path.display().to_string();
+    let run = ["compare", &devices, "--object", "1", "--suite", &suite, "--out", &to];
+    let told = topple(&run).success();
+    let told = String::from_utf8_lossy(&told.get_output().stdout).into_owned();
+    assert!(told.contains("devices    on the ground: stands"), "{told}");
+    assert_eq!(rows(&out.join("compare.csv"))[0]["device"], "on the ground");
 }

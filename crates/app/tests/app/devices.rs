@@ -125,6 +125,40 @@ fn cells_of_a_map_that_move_beyond_the_radius_are_counted() {
     assert!(words.contains("stop       d = 0.9 m, k_s = 100000 N/m, ξ_s = 0"), "{words}");
 }
 
+/// A single motion and motions at several levels are judged as a map's cells are.
+#[test]
+fn every_command_warns_of_a_stroke_beyond_the_radius_and_of_tensile_contact() {
+    let (place, suite) = suite();
+    let block = "--half-width 0.6 --height 0.2 --mass 900 --plate-h 125 --plate-v 125 --mu 0.02";
+    let block: Vec<&str> = block.split(' ').collect();
+    let run = |command: &str, more: &str| {
+        let (out, to) = within(&place, command);
+        let more: Vec<&str> = more.split(' ').collect();
+        let words = said(&[&[command, "--out", &to][..], &block, &more, &["--force"]].concat());
+        let told = fs::read_to_string(out.join("run.json")).unwrap();
+        let told: serde_json::Value = serde_json::from_str(&told).unwrap();
+        (words, told["warnings"].to_string())
+    };
+    let pulse = "--isolation horizontal --omega 10 --a-h 9 --t-max 4";
+    for (radius, warns) in [("0.05", true), ("5", false)] {
+        let (words, kept) = run("history", &format!("{pulse} --radius {radius}"));
+        assert_eq!(words.contains("is beyond the radius of the pendulum"), warns, "{words}");
+        assert_eq!(kept.contains("is beyond the radius"), warns, "{kept}");
+        let under =
+            format!("--suite {suite} --verify none --isolation horizontal --radius {radius}");
+        let (words, kept) = run("fragility", &format!("{under} --im pga --levels 1,9"));
+        assert_eq!(words.contains("is beyond the radius of the pendulum"), warns, "{words}");
+        assert_eq!(kept.contains("is beyond the radius"), warns, "{kept}");
+        let (words, _) = run("envelope", &format!("{under},{radius}1 --scale 4"));
+        assert_eq!(words.contains("is beyond the radius"), warns, "{words}");
+    }
+    for (a_v, warns) in [("30", true), ("0", false)] {
+        let (words, kept) = run("history", &format!("{pulse} --radius 5 --a-v {a_v}"));
+        assert_eq!(words.contains("the contact force is tensile"), warns, "{words}");
+        assert_eq!(kept.contains("the contact force is tensile"), warns, "{kept}");
+    }
+}
+
 #[test]
 fn both_directions_of_a_block_without_an_eccentricity_are_the_same_and_it_is_said() {
     let (place, suite) = suite();

@@ -215,6 +215,46 @@ fn a_folder_is_read_by_the_names_of_its_files() {
     }
 }
 
+/// Two downloads of one layout, each with its own list: a name is that of the file beside its list.
+#[test]
+fn lists_in_two_folders_are_those_of_their_own_files() {
+    let place = TempDir::new().unwrap();
+    for (folder, title, samples) in
+        [("a", "A Town", RISING), ("b", "B Town", [0.0, 0.2, 0.1, -0.3, 0.2, 0.0])]
+    {
+        let folder = place.path().join(folder);
+        fs::create_dir_all(folder.join("sub")).unwrap();
+        let of = |component: &str| format!("A Quake, 1/2/1990, {title}, {component}");
+        fs::write(folder.join("h.AT2"), at2(&of("0"), 0.01, &samples)).unwrap();
+        fs::write(folder.join("sub/v.AT2"), at2(&of("UP"), 0.01, &OTHER)).unwrap();
+        fs::write(folder.join("list.csv"), "id,horizontal,vertical\none,h.AT2,sub/v.AT2\n")
+            .unwrap();
+    }
+    let suite = Suite::read(place.path(), true).unwrap();
+    let found: Vec<(&str, &str, &str)> = suite
+        .motions()
+        .map(|(entry, _)| (&*entry.id, &*entry.station, entry.vertical.as_deref().unwrap()))
+        .collect();
+    assert_eq!(found, [("a/h.AT2", "A Town", "a/sub/v.AT2"), ("b/h.AT2", "B Town", "b/sub/v.AT2")]);
+}
+
+/// A line break in a spreadsheet's cell is a blank.
+#[test]
+fn names_of_a_list_are_one_line() {
+    let place = TempDir::new().unwrap();
+    let title = |component: &str| format!("A Quake, 1/2/1990, A Town, {component}");
+    fs::write(place.path().join("h.AT2"), at2(&title("0"), 0.01, &RISING)).unwrap();
+    let list = place.path().join("list.csv");
+    fs::write(
+        &list,
+        "id,station,event,horizontal\n\"one\n1\",\"A\r\nTown\",\"Big\tQuake\",h.AT2\n",
+    )
+    .unwrap();
+    let suite = Suite::read(&list, true).unwrap();
+    let (entry, _) = suite.motions().next().unwrap();
+    assert_eq!((&*entry.id, &*entry.station, &*entry.event), ("one 1", "A Town", "Big Quake"));
+}
+
 /// The same files, packed.
 #[test]
 fn a_zip_is_read_as_the_folder_is() {

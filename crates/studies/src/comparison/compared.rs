@@ -4,8 +4,9 @@ use super::devices::Device;
 use super::settings::ComparisonSettings;
 use super::shaken::Shaken;
 use crate::fragility::limit_state::LimitState;
+use crate::fragility::runs::Pool;
 use crate::fragility::suite_runs::run_of;
-use crate::fragility::{Estimator, HazardCurve, RateEstimate, RecordRuns, estimate};
+use crate::fragility::{Estimate, Estimator, HazardCurve, RecordRuns, Stripe, estimate, rates};
 use crate::statistics::{Bootstrap, DrawnGroups};
 use crate::suites::envelope::{CellEnvelope, Limits, percentiles, within};
 use crate::suites::swept::SuiteSweep;
@@ -40,17 +41,27 @@ pub struct Compared {
     pub stop_from: Option<f64>,
     /// How much stronger the motions may be; none if it is not requested.
     pub reserve: Option<Reserve>,
-    /// The annual rate of overturning; none without a hazard curve, and where no curve of a fragility is known.
-    pub rate: Option<RateEstimate>,
+    /// The annual rate of overturning; none without a hazard curve.
+    pub rate: Option<Rated>,
 }
 
-/// How much stronger the motions may be.
+/// An annual rate with what it stands on.
+#[derive(Debug, Clone)]
+pub struct Rated {
+    /// The fragility, by multiple stripes, and its rate.
+    pub estimate: Estimate,
+    /// How many runs there are at each level, and how many overturn.
+    pub stripes: Vec<Stripe>,
+    /// The rate by the shares of the runs alone.
+    pub empirical: Option<f64>,
+}
+
+/// How much stronger the motions may be, by the factors of the list and 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reserve {
-    /// The largest factor of the list up to which all limits are kept, at each before it, too; none where they are not kept at
-    /// the least.
+    /// The largest factor up to which all limits are kept, at each before it, too; none where they are not kept at the least.
     pub keeps: Option<f64>,
-    /// The least at which they are not; none where they are kept at all.
+    /// The least at which they are not; none where they are kept at all. The truth lies between both: nothing was run there.
     pub fails: Option<f64>,
 }
 
@@ -105,8 +116,7 @@ impl Comparison {
                     .collect(),
                 reserve: (!first.scales.is_empty())
                     .then(|| reserve(motions, shaken, &settings.scales, *limits)),
-                rate: hazard
-                    .and_then(|hazard| rate(motions, shaken, &groups.of, (hazard, bootstrap))),
+                rate: hazard.map(|hazard| rate(motions, shaken, &groups.of, (hazard, bootstrap))),
             })
         };
         let devices = devices.filter_map(of_device).collect();
@@ -146,15 +156,19 @@ fn at(
     motions.iter().zip(shaken).map(one).collect()
 }
 
-/// How much stronger the motions may be: the list of factors is gone up to the first at which a limit is not kept. That the block
-/// stands again at a larger one is no reserve.
+/// How much stronger the motions may be: the factors of the list, and 1 among them, are gone up to the first at which a limit is
+/// not kept. That the block stands again at a larger one is no reserve.
 fn reserve(motions: &[SweptMotion], shaken: &[Shaken], scales: &[f64], limits: Limits) -> Reserve {
-    let keeps = |k: usize| {
-        CellEnvelope::of(&at(motions, shaken, |shaken| shaken.scales[k]), 0, limits).feasible
+    let listed = scales.iter().enumerate().map(|(k, scale)| (*scale, Some(k)));
+    let mut factors: Vec<(f64, Option<usize>)> = listed.chain([(1.0, None)]).collect();
+    factors.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+    let keeps = |place: Option<usize>| {
+        let place = |shaken: &Shaken| place.map_or(shaken.plain, |k| shaken.scales[k]);
+        CellEnvelope::of(&at(motions, shaken, place), 0, limits).feasible
     };
-    let fails = (0..scales.len()).find(|k| !keeps(*k));
-    let last = fails.unwrap_or(scales.len()).checked_sub(1);
-    Reserve { keeps: last.map(|k| scales[k]), fails: fails.map(|k| scales[k]) }
+    let fails = factors.iter().position(|(_, place)| !keeps(*place));
+    let last = fails.unwrap_or(factors.len()).checked_sub(1);
+    Reserve { keeps: last.map(|k| factors[k].0), fails: fails.map(|k| factors[k].0) }
 }
 
 /// The annual rate of overturning, by multiple stripes.
@@ -163,7 +177,7 @@ fn rate(
     shaken: &[Shaken],
     groups: &[usize],
     (hazard, bootstrap): (&HazardCurve, &Bootstrap),
-) -> Option<RateEstimate> {
+) -> Rated {
     let record = |((motion, shaken), group): ((&SweptMotion, &Shaken), &usize)| {
         let of = |(at, level): &(usize, f64)| run_of(LimitState::Overturning, motion, *at, *level);
         let mut runs: Vec<_> = shaken.levels.iter().filter_map(of).collect();
@@ -171,5 +185,10 @@ fn rate(
         RecordRuns { weight: motion.weight, group: *group, runs }
     };
     let records: Vec<RecordRuns> = motions.iter().zip(shaken).zip(groups).map(record).collect();
-    estimate(Estimator::Stripes, &records, bootstrap, Some(hazard)).rate
+    let stripes = Pool::of(&records, |run| run.failed).stripes(None);
+    Rated {
+        estimate: estimate(Estimator::Stripes, &records, bootstrap, Some(hazard)),
+        empirical: rates::empirical(&stripes, hazard),
+        stripes,
+    }
 }

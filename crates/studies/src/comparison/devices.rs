@@ -7,6 +7,7 @@ use serde_json::{Map, Value, json};
 use super::devices_error::DevicesError;
 use crate::suites::delimited;
 use topple::scene::parameters::Section;
+use topple::scene::record::text::printable;
 use topple::scene::shown::shown;
 use topple::scene::{Directions, Parameter, SceneBuilder, SceneError, keys};
 
@@ -214,7 +215,7 @@ fn device(
         }
         let (section, value) = match column {
             Column::Name => {
-                name = field.into();
+                name = printable(field);
                 continue;
             }
             Column::Number(parameter) => {
@@ -297,6 +298,14 @@ mod tests {
             rigid.left_out.contains(&Parameter::XiV) && rigid.left_out.contains(&Parameter::UY)
         );
         assert_eq!((&soft.left_out[..], &none.left_out[..]), (&[][..], &[Parameter::UY][..]));
+    }
+
+    #[test]
+    fn a_name_is_one_line() {
+        let devices = read("device,t_h\n\"A\nB\u{1b}[2J\",1\n", &shared()).unwrap();
+        assert_eq!(devices[0].name, "A B[2J");
+        let error = read("device,t_h\n\"A\nB\",1\nA B,2\n", &shared()).unwrap_err().to_string();
+        assert!(error.contains("the name A B stands in line 2, too"), "{error}");
     }
 
     #[test]

@@ -37,12 +37,12 @@ pub const RESERVE: [TableColumn; 2] = [
     number(
         "reserve",
         "1",
-        "largest factor of the list up to which all limits are kept; 0 where they are not at the least",
+        "largest of the factors of the list and 1 up to which all limits are kept; 0 where they are not at the least",
     ),
     number(
         "fails_at",
         "1",
-        "least factor of the list at which a limit is not kept; empty where none is",
+        "least of these factors at which a limit is not kept, so that the reserve ends between both; empty where none is",
     ),
 ];
 
@@ -88,7 +88,7 @@ pub fn write(comparison: &Comparison, writer: impl Write) -> io::Result<()> {
             [keeps, reserve.and_then(|reserve| reserve.fails)].map(|factor| factor.map(Number))
         });
         let of_rate = rates.then(|| {
-            let rate = rate.as_ref();
+            let rate = rate.as_ref().and_then(|rated| rated.estimate.rate.as_ref());
             [
                 rate.and_then(|rate| rate.rate),
                 rate.and_then(|rate| rate.low),

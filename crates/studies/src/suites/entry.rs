@@ -1,6 +1,7 @@
 //! A line of a suite: which files are one motion.
 
 use super::measures::Measures;
+use topple::scene::record::text::printable;
 use topple::scene::record::{Pair, Units};
 
 /// Largest factor or weight of a motion: beyond it none is meant.
@@ -66,7 +67,7 @@ impl Entry {
             _ => file,
         };
         Entry {
-            id: id.into(),
+            id: printable(id),
             event: String::new(),
             station: String::new(),
             horizontal: horizontal.into(),

@@ -110,23 +110,26 @@ impl Files {
         &self.names
     }
 
-    /// The name of a file that a list has under a name: the same path, or of the files of that name in any folder, whatever
-    /// the case of its letters, the one whose folders are the list's.
+    /// The name of a file that the list `of` has under a name: the path from the list's own folder, or from the suite's; or of
+    /// the files of that name in any folder, whatever the case of its letters, the one whose folders are the list's.
     ///
     /// # Errors
     /// Why there is none.
-    pub fn find(&self, listed: &str) -> Result<&str, String> {
+    pub fn find(&self, listed: &str, of: &str) -> Result<&str, String> {
         let plain = listed.replace('\\', "/");
         let plain = plain.trim_start_matches("./");
+        let folder = of.rsplit_once('/').map_or(String::new(), |(folder, _)| format!("{folder}/"));
+        let beside = format!("{folder}{plain}");
         let none = || format!("{listed} is in the list and not among the files");
         let alike = self.alike.get(&bare(plain)).ok_or_else(none)?;
         let alike: Vec<&str> = alike.iter().map(|number| self.names[*number].as_str()).collect();
-        if let Some(same) = alike.iter().find(|name| **name == plain) {
+        let same = |wanted: &str| alike.iter().copied().find(|name| *name == wanted);
+        if let Some(same) = same(&beside).or_else(|| same(plain)) {
             return Ok(same);
         }
         // Folders that they have in common, from the file on.
         let common = |name: &str| {
-            let parts = name.rsplit('/').zip(plain.rsplit('/'));
+            let parts = name.rsplit('/').zip(beside.rsplit('/'));
             parts.take_while(|(one, other)| one.eq_ignore_ascii_case(other)).count()
         };
         let most = alike.iter().map(|name| common(name)).max().unwrap_or(0);

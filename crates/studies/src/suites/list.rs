@@ -9,6 +9,7 @@ use super::delimited;
 use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
 use topple::scene::record::Units;
+use topple::scene::record::text::printable;
 use topple::scene::record::zips::MOST_FILES;
 use topple::scene::shown::shown;
 
@@ -107,7 +108,7 @@ pub fn is_measures(text: &str) -> bool {
 }
 
 /// The entries of a list; its files lie beside it, or below.
-pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
+pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, String> {
     let text = &*delimited::plain(text);
     let heading = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
     let mut reader = csv::ReaderBuilder::new()
@@ -160,7 +161,7 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
         if row.horizontal.is_empty() {
             return Err(format!("line {at}: no horizontal file; give one"));
         }
-        let there = files.find(&row.horizontal);
+        let there = files.find(&row.horizontal, name);
         let mut entry = Entry::of(there.as_deref().unwrap_or(&row.horizontal));
         entry.missing = there.err();
         match row.vertical.as_deref().filter(|name| !name.is_empty()) {
@@ -171,7 +172,7 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
                     .push("no vertical in the list: the ground does not move vertically".into());
             }
             Some(up) => {
-                let found = files.find(up).map(String::from);
+                let found = files.find(up, name).map(String::from);
                 entry.missing =
                     entry.missing.or(found.as_ref().err().map(|why| format!("its vertical {why}")));
                 entry.vertical = found.ok();
@@ -190,14 +191,16 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
         entry.channels = [row.horizontal_channel, row.vertical_channel]
             .map(|channel| channel.filter(|channel| !channel.is_empty()));
         // Files of one name in two folders get ids of their own.
-        if let Some(id) = row.id.filter(|id| !id.is_empty()) {
+        let id = row.id.as_deref().map(printable);
+        if let Some(id) = id.filter(|id| !id.is_empty()) {
             if !ids.insert(id.clone()) {
+                let id = shown(&id);
                 return Err(format!("line {at}: the id {id} stands twice; give each its own"));
             }
             entry.id = id;
         }
-        entry.event = row.event.unwrap_or_default();
-        entry.station = row.station.unwrap_or_default();
+        entry.event = row.event.as_deref().map_or(String::new(), printable);
+        entry.station = row.station.as_deref().map_or(String::new(), printable);
         entries.push(entry);
     }
     if entries.is_empty() {

@@ -5,6 +5,7 @@ use super::delimited;
 use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
 use super::list::within;
+use topple::scene::record::text::printable;
 
 /// How the heading of its table begins.
 const HEADING: &str = "Result ID";
@@ -41,7 +42,7 @@ fn tight(line: &str, separator: char) -> String {
 }
 
 /// The entries of a list: of each of its records both horizontals, with the vertical.
-pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
+pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, String> {
     let text = &*delimited::plain(text);
     let separator =
         delimited::separator(text.lines().find(|line| is_heading(line)).unwrap_or_default());
@@ -88,15 +89,16 @@ pub fn read(text: &str, files: &Files) -> Result<Vec<Entry>, String> {
         }
         within(at, entries.len())?;
         for listed in horizontals.map(field).into_iter().filter(|name| !name.is_empty()) {
-            let there = files.find(listed);
+            let there = files.find(listed, name);
             let mut entry = Entry::of(there.as_deref().unwrap_or(listed));
             let year = field(year);
-            entry.event = [field(event), year].join(if year.is_empty() { "" } else { ", " });
-            entry.station = field(station).into();
+            entry.event =
+                printable(&[field(event), year].join(if year.is_empty() { "" } else { ", " }));
+            entry.station = printable(field(station));
             entry.missing = there.err();
             let up = field(vertical);
             if !up.is_empty() {
-                let found = files.find(up).map(String::from);
+                let found = files.find(up, name).map(String::from);
                 entry.missing =
                     entry.missing.or(found.as_ref().err().map(|why| format!("its vertical {why}")));
                 entry.vertical = found.ok();

@@ -143,15 +143,15 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), Suit
             .map_err(|reason| SuiteError::Read { path: path.into(), reason })?;
         let text = text::decoded(&bytes).map_err(|error| refused(path, error.to_string()))?;
         let read = if peer::matches(&text) { peer::read } else { list::read };
-        return Ok((read(&text, files).map_err(|problem| refused(path, problem))?, Vec::new()));
+        return Ok((read(&text, "", files).map_err(|problem| refused(path, problem))?, Vec::new()));
     }
     for name in files.names().iter().filter(|name| ending(name, "csv") || ending(name, "tsv")) {
         let bytes = files.read(name).map_err(|problem| refused(&files.path(name), problem))?;
         // What is no text is no list.
         let Ok(text) = text::decoded(&bytes) else { continue };
         let read = match (peer::matches(&text), list::matches(&text)) {
-            (true, _) => peer::read(&text, files),
-            (_, true) => list::read(&text, files),
+            (true, _) => peer::read(&text, name, files),
+            (_, true) => list::read(&text, name, files),
             _ => continue,
         };
         listed.extend(read.map_err(|problem| refused(&files.path(name), problem))?);

@@ -12,7 +12,7 @@ use super::verified::Verified;
 use super::wanted::WantedMotion;
 use topple::backend::request::OpenBackends;
 use topple::scene::grid::Axis;
-use topple::scene::{Grid, Scene, SceneBuilder, SceneError};
+use topple::scene::{Grid, Parameter, Scene, SceneBuilder, SceneError};
 use topple::sweep::error::SweepError;
 use topple::sweep::settings::{RunSettings, VerifySettings};
 
@@ -33,6 +33,25 @@ pub struct SuiteSweep {
     pub verified: Verified,
     /// Where the motions are saved; nowhere without a directory.
     pub(super) saved: Option<SavedMotions>,
+}
+
+impl SuiteSweep {
+    /// The cells in which the block stands under some motion, at some level, though max |u| is beyond the radius of the friction
+    /// pendulum, with the largest such max |u|.
+    pub fn beyond_radius(&self) -> (usize, f64) {
+        let beyond = |cell: usize| {
+            let radius = self.grid.value(Parameter::Radius, cell)?;
+            let of = |motion: &SweptMotion| {
+                let runs = motion.outcomes.iter().zip(&motion.max_u).skip(cell);
+                let runs = runs.step_by(self.grid.len()).filter(|(class, _)| class.stands());
+                runs.fold(0.0, |most: f64, (_, u)| most.max(f64::from(*u)))
+            };
+            let most = self.motions.iter().map(of).fold(0.0, f64::max);
+            (most > radius).then_some(most)
+        };
+        let cells = (0..self.grid.len()).filter_map(beyond);
+        cells.fold((0, 0.0), |(count, most), u| (count + 1, most.max(u)))
+    }
 }
 
 /// Most cells of all motions and levels together, 3.5 GiB with what is kept of each.

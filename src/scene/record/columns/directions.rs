@@ -4,6 +4,7 @@ use super::super::clock::Clock;
 use super::super::component;
 use super::super::numbers::number;
 use super::super::{Component, Units};
+use super::polarity::{self, Polarity};
 use super::words::{self, TIMES, is_acceleration, tokens, without_brackets};
 
 /// Directions that mean nothing else where they stand in capitals.
@@ -77,40 +78,6 @@ pub(super) fn stated(words: &str) -> Option<Direction> {
     found.iter().all(|(one, _)| *one == first).then_some((first, azimuth))
 }
 
-/// The way in which a vertical is positive, by words such as `positive down`, `polarity: up`, `(+ down)`.
-pub(super) fn polarity(words: &str) -> Option<Component> {
-    const FILLING: [&str; 12] = [
-        "is",
-        "are",
-        "direction",
-        "dir",
-        "motion",
-        "values",
-        "acceleration",
-        "for",
-        "of",
-        "the",
-        "ve",
-        "means",
-    ];
-    let lower = words.to_lowercase().replace('+', " positive ");
-    let words: Vec<&str> = lower
-        .split(|c: char| !c.is_alphabetic())
-        .filter(|word| !word.is_empty() && !FILLING.contains(word))
-        .collect();
-    let way = |word: Option<&&str>| match *word? {
-        "down" | "downward" | "downwards" | "dwn" => Some(Component::Down),
-        "up" | "upward" | "upwards" => Some(Component::Up),
-        _ => None,
-    };
-    let key = |word: &&str| matches!(*word, "positive" | "pos" | "polarity" | "convention");
-    words
-        .iter()
-        .enumerate()
-        .filter(|(_, word)| key(word))
-        .find_map(|(at, _)| way(words.get(at + 1)).or_else(|| way(words.get(at.checked_sub(1)?))))
-}
-
 /// The azimuth that a column's name tells: of a number alone three digits, as others count columns.
 pub(super) fn azimuth_of_column(name: &str) -> Option<f64> {
     let of = |word: &str| {
@@ -124,7 +91,7 @@ pub(super) fn azimuth_of_column(name: &str) -> Option<f64> {
 pub(super) fn of_column(name: &str) -> Option<Component> {
     let lower = name.to_lowercase();
     let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
-    if let Some(way) = polarity(name) {
+    if let Some(Polarity::Way(way)) = polarity::stated(name) {
         return Some(way);
     }
     if has(&["down", "dwn"]) && !has(&["up"]) {
@@ -188,29 +155,6 @@ mod tests {
             "down the hill",
         ] {
             assert_eq!(stated(words), None, "{words}");
-        }
-    }
-
-    #[test]
-    fn words_tell_which_way_is_positive() {
-        use Component::{Down, Up};
-        for (words, wanted) in [
-            ("polarity: down", Some(Down)),
-            ("Polarity = DOWN", Some(Down)),
-            ("Vertical acceleration, positive-downwards", Some(Down)),
-            ("UD (down positive)", Some(Down)),
-            ("sign: positive = down", Some(Down)),
-            ("positive direction is down", Some(Down)),
-            ("acc (+ down)", Some(Down)),
-            ("+ve down", Some(Down)),
-            ("polarity: up", Some(Up)),
-            ("up is positive", Some(Up)),
-            ("polarity: reversed", None),
-            ("down the hill, positive", None),
-            ("scaled up by +0.5", None),
-            ("DOWN", None),
-        ] {
-            assert_eq!(polarity(words), wanted, "{words}");
         }
     }
 

@@ -4,6 +4,7 @@
 
 mod directions;
 mod named;
+mod polarity;
 mod rows;
 mod several;
 mod table;

@@ -4,6 +4,7 @@ use super::super::clock::Clock;
 use super::super::hints::RecordHints;
 use super::super::times::{self, Times};
 use super::super::{Component, DIGITS, Raw, RecordError, Step, Units, rounded};
+use super::polarity::{self, Polarity};
 use super::{directions, values, words};
 use crate::scene::shown::shown;
 
@@ -20,6 +21,8 @@ pub(super) struct Told {
     component: Option<(usize, Component)>,
     azimuth: Option<(usize, f64)>,
     polarity: Option<(usize, Component)>,
+    /// The first words of a sign that are not understood.
+    unclear: Option<(usize, String)>,
     step: Option<(usize, f64)>,
     count: Option<(usize, usize)>,
     /// What comments state, in a sentence each.
@@ -88,7 +91,7 @@ impl Told {
         {
             self.put_direction(at, Some((component, directions::azimuth_of_column(&name))))?;
         }
-        put(&mut self.polarity, at, directions::polarity(line), "a polarity")?;
+        self.put_polarity(at, line)?;
         self.note_factor(at, line);
         Ok(found)
     }
@@ -101,6 +104,19 @@ impl Told {
         let (component, azimuth) = stated.unzip();
         put(&mut self.component, at, component, "a direction")?;
         put(&mut self.azimuth, at, azimuth.flatten(), "a direction")?;
+        Ok(())
+    }
+
+    fn put_polarity(&mut self, at: usize, words: &str) -> Result<(), RecordError> {
+        match polarity::stated(words) {
+            Some(Polarity::Way(way)) => {
+                put(&mut self.polarity, at, Some(way), "a polarity")?;
+            }
+            Some(Polarity::Unclear) => {
+                self.unclear.get_or_insert_with(|| (at, shown(words)));
+            }
+            None => {}
+        }
         Ok(())
     }
 
@@ -131,7 +147,7 @@ impl Told {
             .then(|| directions::stated(words))
             .flatten();
         self.put_direction(at, direction)?;
-        put(&mut self.polarity, at, directions::polarity(words), "a polarity")?;
+        self.put_polarity(at, words)?;
         self.note_factor(at, words);
         Ok(())
     }
@@ -268,6 +284,15 @@ impl Told {
             (_, Some(Component::Horizontal)) | (None, _) => {}
             (Some((_, Component::Up)), None) => {}
             (Some((_, way)), _) => stated.component = Some(way),
+        }
+        if let (Some((at, words)), None) = (&self.unclear, self.polarity)
+            && stated.component != Some(Component::Horizontal)
+        {
+            let way = if stated.component == Some(Component::Down) { "down" } else { "up" };
+            raw.notes.push(format!(
+                "line {at} speaks of a sign in words that are not understood ('{words}'): a vertical is taken as positive \
+                 {way}; write 'positive up' or 'positive down' there"
+            ));
         }
         Ok(raw)
     }

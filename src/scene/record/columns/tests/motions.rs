@@ -37,6 +37,13 @@ fn a_vertical_that_is_positive_down_by_words_is_turned() {
         ("Time (s), UP (m/s2), + down", true),
         ("# Z positive down\n# units: m/s2", true),
         ("# polarity: up\nTime (s), Z (m/s2)", false),
+        ("# positive north, east, down\nTime (s), UD (m/s2)", true),
+        ("# Z axis points down\nTime (s), Z (m/s2)", true),
+        ("Time (s), Vertical (down) (m/s2)", true),
+        ("# component: vertical (down)\n# units: m/s2", true),
+        ("# component: vertical down\n# units: m/s2", true),
+        ("# direction: downwards\n# units: m/s2", true),
+        ("# not positive down\nTime (s), UD (m/s2)", false),
         ("# polarity: reversed\nTime (s), UD (m/s2)", false),
     ] {
         let motion = pair(&horizontal, &rows(heading, 0.0, 2.0), false).unwrap();
@@ -51,6 +58,14 @@ fn a_vertical_that_is_positive_down_by_words_is_turned() {
     }
     let twice = "# polarity: down\n# positive up\nTime (s), UD (m/s2)";
     assert!(record(&rows(twice, 0.0, 1.0)).unwrap_err().starts_with("line 2: a polarity other"));
+    let notes = of("# polarity: reversed\nTime (s), UD (m/s2)").notes;
+    let said = "line 1 speaks of a sign in words that are not understood ('polarity: reversed'): a vertical is taken as positive up";
+    assert!(notes.iter().any(|note| note.starts_with(said)), "{notes:?}");
+    for heading in ["# positive up\n# polarity: reversed", "# polarity: reversed\n# component: NS"]
+    {
+        let notes = of(&format!("{heading}\n# units: m/s2")).notes;
+        assert!(!notes.iter().any(|note| note.contains("sign")), "{notes:?}");
+    }
     // Of a horizontal component it says nothing.
     let stated = of("# positive down\nTime (s), EW (m/s2)").stated;
     assert_eq!(stated.component, Some(Component::Horizontal));
@@ -126,4 +141,21 @@ fn what_is_no_motion_is_refused_unless_it_is_forced() {
     let error = pair(&up.replace("UD", "NS"), &flag, false).unwrap_err();
     assert!(error.starts_with("vertical: the samples have two neighbouring"), "{error}");
     assert!(pair(&flag, &up, true).is_ok());
+}
+
+#[test]
+fn zeros_are_a_vertical_component_and_no_horizontal_one() {
+    let horizontal = rows("Time (s), NS (m/s2)", 0.0, 3.0);
+    let zeros = rows("Time (s), UD (m/s2)", 0.0, 0.0);
+    let hints = RecordHints { vertical: Some(true), ..RecordHints::default() };
+    let zeros_v = read::bytes(zeros.as_bytes(), &hints).unwrap();
+    let motion =
+        joined::bring(record(&horizontal).unwrap(), Some(zeros_v), &RecordHints::default(), false);
+    let motion = motion.unwrap();
+    assert!(motion.vertical.iter().all(|a| *a == 0.0));
+    let said = "vertical: all zeros: the ground does not move vertically";
+    assert!(motion.notes.iter().any(|note| note == said), "{:?}", motion.notes);
+    let hints = RecordHints { vertical: Some(false), ..RecordHints::default() };
+    let error = read::bytes(zeros.as_bytes(), &hints).unwrap_err().to_string();
+    assert!(error.starts_with("every sample is zero; zeros may be a vertical"), "{error}");
 }
