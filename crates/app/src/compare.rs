@@ -98,6 +98,9 @@ struct Manifest<'a> {
     #[serde(serialize_with = "path_text::serialize_some")]
     hazard: Option<&'a Path>,
     hazard_units: Option<&'static str>,
+    /// The curve that was read: its levels, in SI units, and annual rates.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hazard_curve: Option<Vec<[f64; 2]>>,
     /// Checksums of the files that it read beside its motions.
     inputs: Inputs,
     /// The reference's results for a sample.
@@ -179,10 +182,9 @@ impl CompareCommand {
         }
         let settings = &compared.settings;
         told::warn_of_few(&settings.groups);
-        let ids = suite.motions().map(|(entry, _)| entry.id.as_str()).collect();
         let named = settings.devices.iter().zip(scenes);
         let manifest = Manifest {
-            suite: self.motions.manifest(&compared.sweep, ids, (&suite, options)),
+            suite: self.motions.manifest(&compared.sweep, (&suite, options)),
             list: &self.devices,
             devices: named.map(|(one, scene)| Of { device: &one.name, scene }).collect(),
             standing: limits.standing,
@@ -198,6 +200,7 @@ impl CompareCommand {
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
             hazard: self.hazard.path(),
             hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
+            hazard_curve: hazard.as_ref().map(|hazard| hazard.curve.points()),
             inputs,
             verified: &compared.sweep.verified,
         };

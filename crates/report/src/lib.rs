@@ -2,7 +2,7 @@
 //! code. All of it comes from the files of the runs.
 //!
 //! ```text
-//! folder -> document -> block -> findings -> contents -> html, print -> file
+//! folder -> document -> block -> findings, fragility -> summary -> contents -> html, print -> file
 //! ```
 
 mod block;
@@ -11,8 +11,10 @@ mod document;
 mod file;
 mod findings;
 mod folder;
+mod fragility;
 mod html;
 mod print;
+mod summary;
 
 pub use file::write;
 use folder::Folder;
