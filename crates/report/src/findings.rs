@@ -126,7 +126,7 @@ pub fn outcome(key: &str) -> &str {
         "rocking" => "rocks and stays standing",
         "overturned_left" => "overturns about the left corner",
         "overturned_right" => "overturns about the right corner",
-        "unresolved" => "not decided by the calculation",
+        "unresolved" => "has an outcome that is not decided",
         other => other,
     }
 }

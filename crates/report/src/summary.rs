@@ -61,8 +61,11 @@ fn map(folder: &Folder) -> Vec<String> {
     });
     let mut shares: Vec<(f64, &str)> = shares.collect();
     shares.sort_by(|(a, _), (b, _)| b.total_cmp(a));
-    let told = shares.into_iter().map(|(share, what)| format!("in {} it {what}", percent(share)));
-    vec![format!("Of the {cells} points of the map: {}.", told.collect::<Vec<_>>().join(", "))]
+    let told = shares.into_iter().enumerate().map(|(number, (share, what))| match number {
+        0 => format!("In {} of the {cells} points of the map the block {what}", percent(share)),
+        _ => format!("in {} it {what}", percent(share)),
+    });
+    vec![told.collect::<Vec<_>>().join(", ") + "."]
 }
 
 fn suite(rows: &Rows) -> Vec<String> {
@@ -101,14 +104,16 @@ fn devices(rows: &Rows) -> Vec<String> {
     let (count, more) = (keeps.len(), keeps.len() > NAMED);
     keeps.truncate(NAMED);
     let named = keeps.join(", ") + if more { ", …" } else { "" };
-    let mut told = vec![format!("{count} of {} devices keep all limits: {named}.", rows.len())];
+    let keep = if count == 1 { "keeps" } else { "keep" };
+    let mut told = vec![format!("{count} of {} devices {keep} all limits: {named}.", rows.len())];
     let reserve = |row: &&std::collections::BTreeMap<String, String>| -> f64 {
         row.get("reserve").and_then(|text| text.parse().ok()).unwrap_or(0.0)
     };
     let best = rows.iter().max_by(|a, b| reserve(a).total_cmp(&reserve(b)));
     if let Some(best) = best.filter(|best| reserve(best) > 0.0) {
+        let most = if count == 1 { "" } else { ", more than the others or as much" };
         told.push(format!(
-            "{} keeps them up to {} times the motions, the most.",
+            "{} keeps them up to {} times the motions{most}.",
             name(best),
             shown(best, "reserve")
         ));
