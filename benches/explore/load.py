@@ -46,7 +46,7 @@ def visit(browser: Browser, address: str) -> tuple[dict[str, float], dict[str, i
 
     def received(of: dict) -> None:
         name = places.get(of["requestId"], "").split("?")[0].rsplit("/", 1)[-1]
-        kind = name.rsplit(".", 1)[-1] if "." in name else "others"
+        kind = name.rsplit(".", 1)[-1] if "." in name else "page, data"
         sizes[kind] = sizes.get(kind, 0) + int(of["encodedDataLength"])
         sizes["all"] = sizes.get("all", 0) + int(of["encodedDataLength"])
         sizes["requests"] = sizes.get("requests", 0) + 1
@@ -55,6 +55,8 @@ def visit(browser: Browser, address: str) -> tuple[dict[str, float], dict[str, i
     page.goto(address)
     page.wait_for_selector("#map[data-stage=refined][data-busy=false], #map[data-stage=stored]", timeout=120_000)
     times = page.evaluate(TIMES)
+    # The last answers end after the last picture.
+    page.wait_for_timeout(1000)
     context.close()
     return times, sizes
 
