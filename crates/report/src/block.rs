@@ -7,7 +7,7 @@ use topple_pictures::drawing::canvas::{Canvas, Place, dashed, stroke};
 use topple_pictures::drawing::text::{MIDDLE, style};
 use topple_pictures::drawing::{COLUMN, FONT};
 
-use super::findings::percent;
+use super::tables::percent;
 
 /// Largest width and height of the block, points.
 const MOST: (f64, f64) = (120.0, 170.0);

@@ -6,8 +6,8 @@ use topple::results::earlier::{Kind, RUN};
 use topple::scene::{Excitation, GRAVITY, Scene, shown, words};
 
 use super::document::{Document, Piece};
-use super::findings::{ROWS, number};
 use super::folder::{Folder, ReportError};
+use super::tables::{ROWS, number};
 use super::{block, findings, summary};
 
 /// The report of runs, under a title of theirs where none is given.

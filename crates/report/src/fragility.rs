@@ -7,8 +7,8 @@ use topple_pictures::studies::hazard;
 use topple_studies::suites::intensity::Intensity;
 
 use super::document::Piece;
-use super::findings::{number, percent, shown, table};
 use super::folder::{Folder, ReportError, Rows};
+use super::tables::{number, percent, shown, table};
 
 /// The estimator whose curves are drawn and told: the first of the run.
 fn estimator(folder: &Folder) -> &str {

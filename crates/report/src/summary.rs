@@ -3,9 +3,9 @@
 use serde_json::Value;
 use topple::results::earlier::Kind;
 
-use super::findings::{self, number, percent, shown};
 use super::folder::{Folder, ReportError, Rows};
-use super::fragility;
+use super::tables::{number, percent, shown};
+use super::{findings, fragility};
 
 /// Devices that are named.
 const NAMED: usize = 6;
