@@ -1,28 +1,28 @@
-//! Choices as they are written, in files and as flags: each has one word, and is said in one sentence.
+//! Choices as they are written in files and as flags: each has one word and one sentence of help.
 
-/// One of a few, each with its word.
+/// A choice among a few variants, each with its own word.
 pub trait Written: Copy + 'static {
-    /// Every one there is.
+    /// All variants.
     const ALL: &'static [Self];
 
-    /// Its word: `f32`.
+    /// The word of this variant, for example `f32`.
     fn key(self) -> &'static str;
 
     /// Other words that are read, but not written.
     fn aliases(self) -> &'static [&'static str];
 
-    /// What it is, without the full stop.
+    /// The help of this variant, without the full stop.
     fn help(self) -> &'static str;
 
-    /// The one of a word.
+    /// The variant that a word names; none where no variant has this word.
     fn of_key(word: &str) -> Option<Self> {
         let is_it = |one: &Self| one.key() == word || one.aliases().contains(&word);
         Self::ALL.iter().copied().find(is_it)
     }
 }
 
-/// Defines an enum that is [`Written`]: each variant with its word, and those that are read besides. Serde has the same
-/// words, and what documents a variant is its help.
+/// Defines an enum that is [`Written`]: each variant with its word, and with further words that are only read. Serde uses the same
+/// words, and the doc comment of a variant is its help.
 macro_rules! written {
     (
         $(#[$attribute:meta])*

@@ -1,4 +1,4 @@
-"""Takes the pictures of docs/explore.md: a screenshot, and a recording as GIF.
+"""Takes the pictures of docs/explore.md, a screenshot and a recording as GIF, and makes the PNG of the page's icon.
 
     python benches/explore/pictures.py docs
 
@@ -17,6 +17,9 @@ from playwright.sync_api import Page, sync_playwright
 SIZE = {"width": 1280, "height": 800}
 # A cell that rocks through several impacts, in shares of the map.
 CELL = (0.62, 0.28)
+# The icon of the page, and the size of its PNG, that of an iPhone's home screen.
+PAGE_ICON = Path(__file__).parents[2] / "crates/explore/src/page/icon.svg"
+ICON = 180
 # The tour of a first visit would hide what the pictures show.
 NO_TOUR = "localStorage.setItem('topple-tour', 'seen')"
 # Time between two pictures of the recording, ms.
@@ -84,6 +87,10 @@ def take(address: str, folder: Path) -> None:
         dark.wait_for_selector("#players:not([hidden])")
         settled(dark)
         dark.screenshot(path=folder / "explore-dark.png")
+        # For browsers whose tabs and home screens show no SVG.
+        icon = browser.new_page(viewport={"width": ICON, "height": ICON})
+        icon.set_content(f"<style>* {{ margin: 0 }} svg {{ display: block }}</style>{PAGE_ICON.read_text()}")
+        icon.screenshot(path=folder / "icon.png")
         browser.close()
 
 

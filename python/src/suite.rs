@@ -140,7 +140,7 @@ pub fn envelope<'py>(
     let tables = PyDict::new(py);
     tables.set_item("envelope", text(|w| Ok(envelope_tables::write(&envelope, w)?))?)?;
     tables.set_item("zeta", text(|w| Ok(envelope_tables::write_zeta(&envelope, w)?))?)?;
-    let mut about = told(&envelope.sweep);
+    let mut about = told(&envelope.sweep, &suite);
     let columns = [&envelope_tables::COLUMNS[..], &envelope_tables::ZETA_COLUMNS].concat();
     about["columns"] = described(&columns, "");
     describe_further(&envelope.settings.columns, &mut about["columns"]);
@@ -212,7 +212,7 @@ pub fn compare<'py>(
         "program": "topple",
         "version": env!("CARGO_PKG_VERSION"),
         "columns": columns,
-        "motions": suite.motions().map(|(entry, _)| &entry.id).collect::<Vec<_>>(),
+        "motions": ids(&suite),
         "resample": compared.settings.groups.by,
         "groups": compared.settings.groups.count,
         "sweep_seconds": compared.sweep.seconds,
@@ -300,7 +300,7 @@ pub fn fragility<'py>(
         let rates = |w: &mut Vec<u8>| fragility_tables::write_rates(&study, target, w);
         add("rates", text(|w| rates(w).map_err(of_table)))?;
     }
-    let mut about = told(&study.sweep);
+    let mut about = told(&study.sweep, &suite);
     about["im"] = json!(request.im);
     about["resample"] = json!(study.settings.groups.by);
     about["groups"] = json!(study.settings.groups.count);
@@ -453,8 +453,13 @@ fn described(columns: &[TableColumn], of_measure: &str) -> Value {
     Value::Object(columns.iter().map(one).collect())
 }
 
+/// The motions of a suite, each once.
+fn ids(suite: &Suite) -> Vec<&str> {
+    suite.motions().map(|(entry, _)| entry.id.as_str()).collect()
+}
+
 /// What a sweep was.
-fn told(sweep: &SuiteSweep) -> Value {
+fn told(sweep: &SuiteSweep, suite: &Suite) -> Value {
     json!({
         "program": "topple",
         "version": env!("CARGO_PKG_VERSION"),
@@ -462,7 +467,7 @@ fn told(sweep: &SuiteSweep) -> Value {
         "index": about::index(&sweep.grid),
         "axes": axes(&sweep.grid),
         "coordinates": coordinates(&sweep.grid),
-        "motions": sweep.motions.iter().map(|motion| &motion.id).collect::<Vec<_>>(),
+        "motions": ids(suite),
         "sweep_seconds": sweep.seconds,
         "verification": sweep.verified,
     })

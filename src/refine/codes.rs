@@ -1,12 +1,13 @@
-//! What cells must share to be left alone: the outcome, with its corner, and of a block that overturns the impacts.
+//! Codes of outcomes. Where neighbouring cells share a code, no cells between them are run: they share the outcome with its corner
+//! and, if the block overturns, the number of impacts.
 
 use crate::stepping::outcome::{COUNTED, Class, Outcome};
 
-/// A cell that has not run.
+/// The code of a cell that has not run.
 pub const NOT_RUN: u8 = 0;
 
-/// The code of an outcome: cells of one code need no cells between them. Impacts of a block that stands are counted up
-/// to where its end was proved, and say nothing.
+/// The code of an outcome. The impacts of a block that stands are not part of it, because they are counted only up to the time
+/// at which the outcome was proved.
 pub fn code(outcome: &Outcome) -> u8 {
     // COUNTED is small.
     let impacts = outcome.counted_impacts().unwrap_or(COUNTED) as u8;
@@ -19,7 +20,7 @@ pub fn code(outcome: &Outcome) -> u8 {
     }
 }
 
-/// The class of a code of a cell that has run.
+/// The class that a code has; the cell must have run.
 pub fn class(code: u8) -> Class {
     match code {
         1 => Class::FullContact,

@@ -1,4 +1,4 @@
-//! The leaves of a refined map: what its files hold of it.
+//! The leaves of a refined map: the form in which files hold it.
 
 use std::borrow::Cow;
 use std::io;
@@ -26,20 +26,20 @@ pub struct Leaf {
     pub column: usize,
     /// Row of its first cell.
     pub row: usize,
-    /// Cells along the first axis.
+    /// The number of cells along the first axis.
     pub width: usize,
-    /// Cells along the second axis.
+    /// The number of cells along the second axis.
     pub height: usize,
-    /// A leaf beside it is smaller: a boundary is near, and a band thinner than a cell may cross it.
+    /// True where a leaf beside this one is smaller: a boundary is near, and a band that is thinner than a cell may cross this leaf.
     pub beside: bool,
     /// Its corners overturn after different numbers of impacts, 10 or more, which are not told apart: between two
     /// numbers blocks may rock on, in a band that may be thinner than a cell.
     pub impacts_differ: bool,
-    /// Place of its first cell among those that were run.
+    /// The place of its first cell among the cells that were run.
     place: usize,
 }
 
-/// The leaves of a map, as outcomes: number k is that of the k-th leaf's first cell.
+/// The leaves of a map as outcomes: outcome number k is that of the first cell of the k-th leaf.
 struct LeafOutcomes<'a> {
     map: &'a RefinedMap,
     leaves: &'a [Leaf],
@@ -56,7 +56,7 @@ impl Outcomes for LeafOutcomes<'_> {
 }
 
 impl Leaf {
-    /// True of a leaf whose cells that were not run are less sure than others.
+    /// True where the cells of the leaf that were not run are less certain than those of other leaves.
     pub fn is_marked(&self) -> bool {
         self.beside || self.impacts_differ
     }

@@ -10,23 +10,24 @@ use rand_pcg::rand_core::Rng;
 use super::boxes::{Boxes, Square};
 use super::codes::NOT_RUN;
 
-/// A cell that is to be probed, and its leaf.
+/// A cell that is run as a probe, and its leaf.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Probe {
     /// The cell.
     pub cell: usize,
-    /// The leaf that has it.
+    /// The leaf that contains the cell.
     pub leaf: Square,
 }
 
-/// Leaves, and how many of their cells were left alone.
+/// Leaves, with the number of their cells that were not run.
 pub struct LeftAlone {
     leaves: Vec<(Square, usize)>,
-    /// Cells left alone, of all of them.
+    /// The number of cells that were not run, of all leaves together.
     pub count: usize,
 }
 
-/// The columns and rows of the cells that belong to a leaf: those of its lower and left borders, of the last leaves all.
+/// The columns and rows of the cells that belong to a leaf: without its upper and right borders, except at the far borders of the
+/// map, where these belong to it, too.
 pub fn own_cells(boxes: &Boxes, leaf: Square) -> (std::ops::Range<usize>, std::ops::Range<usize>) {
     let (columns, rows) = boxes.shape();
     let (across, up) = boxes.cells(leaf);
@@ -36,7 +37,7 @@ pub fn own_cells(boxes: &Boxes, leaf: Square) -> (std::ops::Range<usize>, std::o
     (*across.start()..end(&across, columns), *up.start()..end(&up, rows))
 }
 
-/// How many of a leaf's own cells were not run.
+/// The number of cells that belong to a leaf and were not run.
 fn not_run(boxes: &Boxes, codes: &[u8], leaf: Square) -> usize {
     let width = boxes.shape().0;
     let (columns, rows) = own_cells(boxes, leaf);
@@ -62,7 +63,7 @@ impl LeftAlone {
         LeftAlone { leaves, count }
     }
 
-    /// So many cells, one from each stratum; all where there are no more.
+    /// Draws `count` cells, one from each stratum; all cells where there are no more than that.
     pub fn draw(
         &self,
         boxes: &Boxes,

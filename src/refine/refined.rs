@@ -16,33 +16,33 @@ use crate::results::outcomes::Outcomes;
 use crate::scene::{Grid, Scene};
 use crate::stepping::outcome::Outcome;
 
-/// Cells that were run, with their outcomes.
+/// The cells that were run, with their outcomes.
 pub struct RanCells {
     precision: Precision,
     /// The requested columns.
     columns: ColumnSet,
-    /// Their numbers in the finest grid.
+    /// The numbers of the cells in the finest grid.
     cells: Vec<usize>,
     blocks: Vec<Block>,
 }
 
 impl RanCells {
-    /// None yet, of these columns of a number type.
+    /// No cells yet; `columns` are the requested columns, in a number type.
     pub fn new(precision: Precision, columns: ColumnSet) -> RanCells {
         RanCells { precision, columns, cells: Vec::new(), blocks: Vec::new() }
     }
 
-    /// How many they are.
+    /// The number of cells.
     pub fn len(&self) -> usize {
         self.cells.len()
     }
 
-    /// True where there is none.
+    /// True where there is no cell.
     pub fn is_empty(&self) -> bool {
         self.cells.is_empty()
     }
 
-    /// Adds some.
+    /// Adds cells.
     pub fn add(&mut self, cells: &[usize], outcomes: &[Outcome]) {
         let mut block = Block::pending(cells.len(), self.precision);
         block.put(0, outcomes);
@@ -50,7 +50,7 @@ impl RanCells {
         self.blocks.push(block);
     }
 
-    /// The same in the grid's order, in one block.
+    /// The same cells in the order of the grid, in one block.
     pub fn sorted(mut self) -> RanCells {
         let starts: Vec<usize> = self
             .blocks
@@ -81,7 +81,7 @@ pub struct RefinedMap {
     pub scene: Scene,
     /// The finest grid.
     pub grid: Grid,
-    /// What was done.
+    /// The report of the refinement.
     pub report: RefineReport,
     pub(super) boxes: Boxes,
     ran: RanCells,
@@ -98,7 +98,7 @@ impl RefinedMap {
         RefinedMap { scene, grid, report, boxes, ran }
     }
 
-    /// The cells that were run, in order.
+    /// The cells that were run, in ascending order.
     pub fn cells(&self) -> &[usize] {
         &self.ran.cells
     }
@@ -115,12 +115,12 @@ impl RefinedMap {
         &self.ran.blocks[0]
     }
 
-    /// The place of a cell that was run among those.
+    /// The place of a cell among those that were run.
     pub(super) fn place_of(&self, cell: usize) -> usize {
         self.ran.cells.partition_point(|other| *other < cell)
     }
 
-    /// The same of the first cell of a leaf.
+    /// The place of the first cell of a leaf among those that were run.
     fn first_of(&self, leaf: Square) -> usize {
         let (columns, rows) = self.boxes.cells(leaf);
         self.place_of(rows.start() * self.boxes.shape().0 + columns.start())
@@ -148,7 +148,7 @@ impl RefinedMap {
         }
     }
 
-    /// What its files are of.
+    /// What the files of the map say about its origin.
     pub fn source(&self) -> Source<'_> {
         let RanCells { precision, columns, .. } = self.ran;
         Source { scene: &self.scene, precision, columns }

@@ -1,4 +1,4 @@
-//! A map that is being refined: boxes split, islands followed, probes drawn.
+//! A map during refinement: boxes are split, islands are followed, and probes are drawn.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -23,25 +23,26 @@ use crate::sweep::runner::Runner;
 use crate::work::observer::{Observer, Phase};
 use crate::work::threads::install;
 
-/// Most rounds of probes of a level: where cells are missed in each the outcome is chaotic, and more do not help.
+/// The largest number of rounds of probes of a level: where every round finds missed cells, the outcome is chaotic, and more rounds
+/// do not help.
 const ROUNDS: usize = 3;
 
-/// Cells that are run and saved at once.
+/// The number of cells that are run and saved at once.
 const SAVED: usize = 1 << 16;
 
-/// A map that is being refined.
+/// A map during refinement.
 pub(super) struct Refiner<'a> {
     /// The backend that runs its cells.
     pub(super) runner: Runner<'a>,
-    /// Who hears of them.
+    /// The observer of the work.
     pub(super) observer: &'a dyn Observer,
-    /// Its boxes.
+    /// The boxes of the map.
     pub(super) boxes: Boxes,
-    /// Of each cell of the finest grid.
+    /// The code of each cell of the finest grid.
     pub(super) codes: Vec<u8>,
     /// The cells that were run.
     pub(super) ran: RanCells,
-    /// Their numbers, where these are to be smooth.
+    /// The numbers of these cells, where numbers are to be smooth.
     pub(super) smooth: Option<Smooth>,
     /// What an earlier run saved of the same lists, and where this one saves.
     pub(super) rounds: Option<Rounds>,
@@ -84,7 +85,7 @@ impl Refiner<'_> {
         })
     }
 
-    /// True of a box that is to be split: outcomes differ, or numbers are not smooth.
+    /// True where a box must be split: outcomes differ in it, or numbers are not smooth.
     fn is_open(&self, square: Square) -> bool {
         let is_rough = |smooth: &Smooth| !smooth.is_smooth(&self.boxes, &self.codes, square);
         self.is_mixed(square) || self.smooth.as_ref().is_some_and(is_rough)

@@ -1,4 +1,4 @@
-//! The columns of a run of cells in memory: a vector each, numbers as wide as the sweep's.
+//! The columns of consecutive cells in memory: one vector for each column, with numbers of the type of the sweep.
 
 use std::ops::Range;
 
@@ -11,14 +11,14 @@ use super::element::{ColumnNumber, Element};
 use crate::model::precision::Precision;
 use crate::stepping::outcome::{Class, Outcome, Status};
 
-/// Cells that go from outcomes to columns at once, or back: as many as a fast cache holds.
+/// Number of cells that are converted at once from outcomes to columns, or back: as many as a fast cache holds.
 pub(super) const AT_ONCE: usize = 1 << 8;
 
-/// The columns of cells that lie one after the other.
+/// The columns of consecutive cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block(pub(super) EitherColumns);
 
-/// Columns of either number type, which a run chooses.
+/// Columns of either number type. The sweep chooses the type.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum EitherColumns {
     Singles(Columns<f32>),
@@ -37,7 +37,7 @@ impl From<Columns<f64>> for Block {
     }
 }
 
-/// An expression for the columns of a block, whatever their number type.
+/// Evaluates an expression for the columns of a block, whatever their number type.
 macro_rules! with_columns {
     ($block:expr, $columns:pat => $body:expr) => {
         match $block {
@@ -52,7 +52,7 @@ macro_rules! with_columns {
 }
 pub(super) use with_columns;
 
-/// Bytes of a cell's columns in memory.
+/// Number of bytes that the columns of one cell take in memory.
 pub fn bytes_a_cell(precision: Precision) -> usize {
     fn width<C: ColumnType>(precision: Precision) -> usize {
         match precision {
@@ -75,7 +75,7 @@ impl<F: ColumnNumber> Columns<F> {
         columns
     }
 
-    /// Columns of which nothing is known.
+    /// Columns whose values are all unknown.
     pub(super) fn absent(count: usize) -> Columns<F> {
         let mut columns = Columns::default();
         for column in Column::ALL {
@@ -87,7 +87,7 @@ impl<F: ColumnNumber> Columns<F> {
     }
 }
 
-/// Moves the values of a column to the end of those of other columns, as wide as these.
+/// Appends the values of a column to those of another one, converted to its number type.
 fn append<C: ColumnType, F: ColumnNumber, G: ColumnNumber>(
     to: &mut Columns<F>,
     from: &mut Columns<G>,
@@ -96,14 +96,14 @@ fn append<C: ColumnType, F: ColumnNumber, G: ColumnNumber>(
     C::values_mut(to).extend(values.into_iter().map(C::Value::resized::<G, F>));
 }
 
-/// Says of a column of outcomes that it is not known.
+/// Marks the field of a column in outcomes as not known.
 pub(super) fn leave_out<C: ColumnType>(outcomes: &mut [Outcome]) {
     for cell in outcomes {
         C::give(cell, C::Value::of::<f64>(C::Value::filler::<f64>()));
     }
 }
 
-/// Fills a column of outcomes.
+/// Sets the field of a column in outcomes, from stored values.
 pub(super) fn read<C: ColumnType, F: ColumnNumber>(
     values: &[Stored<C::Value, F>],
     outcomes: &mut [Outcome],
@@ -113,7 +113,7 @@ pub(super) fn read<C: ColumnType, F: ColumnNumber>(
     }
 }
 
-/// The runs of cells that have run, by the codes of their statuses.
+/// The ranges of cells that have run, by the codes of their statuses.
 pub(super) fn done(codes: &[u8]) -> Vec<Range<usize>> {
     let mut done: Vec<Range<usize>> = Vec::new();
     for (cell, _) in codes.iter().enumerate().filter(|(_, code)| **code != PENDING) {
@@ -126,7 +126,7 @@ pub(super) fn done(codes: &[u8]) -> Vec<Range<usize>> {
 }
 
 impl Block {
-    /// The columns of a given number of cells of which none has run.
+    /// The columns of a given number of cells, none of which has run.
     pub fn pending(count: usize, precision: Precision) -> Block {
         match precision {
             Precision::F32 => Columns::<f32>::pending(count).into(),
@@ -134,8 +134,8 @@ impl Block {
         }
     }
 
-    /// Blocks one after the other, numbers as wide as the first's. It holds a column twice at most: each goes from its
-    /// block when it is taken.
+    /// Joins blocks, with numbers of the type of the first one. At most one column is held twice at a time, because each column
+    /// leaves its block when it is taken.
     pub fn joined(mut blocks: Vec<Block>) -> Block {
         fn join<F: ColumnNumber>(whole: &mut Columns<F>, blocks: &mut [Block], count: usize) {
             for column in Column::ALL {
@@ -157,7 +157,7 @@ impl Block {
         whole
     }
 
-    /// Number of cells.
+    /// The number of cells.
     pub fn len(&self) -> usize {
         self.codes().0.len()
     }
@@ -201,7 +201,7 @@ impl Block {
         }
     }
 
-    /// Some of its columns, in the table's order.
+    /// Some of the columns, in the order of the table.
     pub fn into_columns(self, asked: ColumnSet) -> Vec<(Column, ColumnValues)> {
         with_columns!(self, mut columns => {
             let mut handed_out = |column| {
@@ -213,12 +213,12 @@ impl Block {
         })
     }
 
-    /// Of some cells, those that have not run.
+    /// Those of the given cells that have not run.
     pub fn pending_in(&self, cells: Range<usize>) -> usize {
         self.codes().1[cells].iter().filter(|code| **code == PENDING).count()
     }
 
-    /// Fills some columns of the outcomes of cells from a place on.
+    /// Sets the fields of some columns in outcomes; the first outcome is that of the cell `first` of the block.
     pub fn read(&self, first: usize, columns: &[Column], outcomes: &mut [Outcome]) {
         fn of<F: ColumnNumber>(
             all: &Columns<F>,
@@ -236,14 +236,14 @@ impl Block {
         with_columns!(self, all => of(all, first, columns, outcomes));
     }
 
-    /// The outcomes of all cells; of those that have not run [`Outcome::PENDING`].
+    /// The outcomes of all cells; [`Outcome::PENDING`] for those that have not run.
     pub fn to_outcomes(&self) -> Vec<Outcome> {
         let mut outcomes = vec![Outcome::PENDING; self.len()];
         self.read(0, &Column::ALL, &mut outcomes);
         outcomes
     }
 
-    /// The runs of cells that have run.
+    /// The ranges of cells that have run.
     pub fn done(&self) -> Vec<Range<usize>> {
         done(self.codes().1)
     }

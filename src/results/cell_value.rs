@@ -1,5 +1,5 @@
-//! What a cell has in a column, and what a column keeps of it. The type of an outcome's field decides both, so that no
-//! column can be filled from another's numbers.
+//! The values of a cell in a column, and how a column stores them. The type of the field of an outcome decides both, so that no
+//! column can be filled with the numbers of another.
 
 use super::element::{ColumnNumber, Element};
 use crate::stepping::outcome::{Class, Outcome, Status};
@@ -16,7 +16,7 @@ pub fn class_code(class: Class) -> u8 {
     class as u8
 }
 
-/// The code of a status; one that was proved, the second, is as good as one that ran to its end, the first.
+/// The code of a status. A cell whose end was proved (the second status) counts as one that ran to its end (the first).
 pub fn status_code(status: Status) -> u8 {
     (status as u8).saturating_sub(1)
 }
@@ -24,9 +24,9 @@ pub fn status_code(status: Status) -> u8 {
 /// The kinds of columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ColumnKind {
-    /// A class by its name, as a number its place in [`Class::ALL`].
+    /// A class: written by its name, as a number by its place in [`Class::ALL`].
     Class,
-    /// A status by its name, as a number its place in [`STATUS_NAMES`].
+    /// A status: written by its name, as a number by its place in [`STATUS_NAMES`].
     Status,
     /// A number of events.
     Count,
@@ -36,7 +36,7 @@ pub enum ColumnKind {
     Time,
 }
 
-/// What a cell has in a column, to be shown.
+/// The value of a cell in a column, as it is shown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shown {
     /// A code and its name.
@@ -50,7 +50,7 @@ pub enum Shown {
 }
 
 impl Shown {
-    /// It as a number: a code, a count; of a time that the cell does not have, not a number.
+    /// The value as a number: the code or the count; NaN for a time that the cell does not have.
     pub fn number(self) -> f64 {
         match self {
             Shown::Code(code, _) => f64::from(code),
@@ -61,46 +61,46 @@ impl Shown {
     }
 }
 
-/// What a column keeps of a value, in a sweep of a number type.
+/// The type in which a column stores a value, in a sweep of a number type.
 pub type Stored<V, F> = <V as CellValue>::Stored<F>;
 
-/// What a cell has in a column: a field of its [`Outcome`].
+/// The value of a cell in a column: a field of its [`Outcome`].
 pub trait CellValue: Copy {
-    /// What the column keeps of it.
+    /// The type in which the column stores it.
     type Stored<F: ColumnNumber>: Element;
     /// The kind of its columns.
     const KIND: ColumnKind;
-    /// Whether a file tells beside it that the cell ended early.
+    /// True where a file says beside the value that the cell ended early.
     const HAS_PROVED: bool = false;
 
-    /// What a column has of a cell that has not run.
+    /// The stored value of a cell that has not run.
     fn pending<F: ColumnNumber>() -> Stored<Self, F> {
         Stored::<Self, F>::default()
     }
 
-    /// What fills up a file, and stands for what is not known.
+    /// The stored value that fills up a file, and that stands for an unknown value.
     fn filler<F: ColumnNumber>() -> Stored<Self, F> {
         Self::pending::<F>()
     }
 
-    /// What a column keeps of the value.
+    /// The stored form of the value.
     fn stored<F: ColumnNumber>(self) -> Stored<Self, F>;
 
-    /// The value of which a column keeps this.
+    /// The value of a stored form.
     fn of<F: ColumnNumber>(stored: Stored<Self, F>) -> Self;
 
-    /// What a column of another number type keeps of it.
+    /// The stored form in a column of another number type.
     fn resized<F: ColumnNumber, G: ColumnNumber>(stored: Stored<Self, F>) -> Stored<Self, G> {
         Self::of::<F>(stored).stored::<G>()
     }
 
-    /// What a file has of it.
+    /// The form in a file.
     fn to_file<F: ColumnNumber>(stored: Stored<Self, F>) -> Stored<Self, F> {
         stored
     }
 
-    /// Makes of what a file has, and of 1 for each cell that ended early, what a column keeps; false where a code is of
-    /// nothing.
+    /// Converts the form of a file to the stored form, given a 1 for each cell that ended early. False where a code in the file has
+    /// no meaning.
     fn of_file<F: ColumnNumber>(_filed: &mut [Stored<Self, F>], _proved: &[u8]) -> bool {
         true
     }
@@ -138,7 +138,7 @@ impl CellValue for Class {
     }
 }
 
-/// In memory its place in [`Status::ALL`], in files that in [`STATUS_NAMES`].
+/// A status is stored as its place in [`Status::ALL`], and written to files as its place in [`STATUS_NAMES`].
 impl CellValue for Status {
     type Stored<F: ColumnNumber> = u8;
     const KIND: ColumnKind = ColumnKind::Status;
@@ -225,7 +225,7 @@ impl CellValue for f64 {
     }
 }
 
-/// What has no time is not a number.
+/// A missing time is stored as NaN.
 impl CellValue for Option<f64> {
     type Stored<F: ColumnNumber> = F;
     const KIND: ColumnKind = ColumnKind::Time;

@@ -1,5 +1,5 @@
-//! Where outcomes go as they are done: into blocks in memory, which are saved from time to time, so that an
-//! interrupted run goes on from there. Of a map that memory does not hold, a block leaves when it is whole.
+//! Collects outcomes as cells end: in blocks in memory, which are saved from time to time, so that an interrupted run can
+//! go on from there. If memory cannot hold the whole map, each block leaves memory when it is complete.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -17,12 +17,12 @@ use super::store::Store;
 use super::store_error::StoreError;
 use crate::model::precision::Precision;
 
-/// A chunk that is not finished, or is held for the map.
+/// A chunk that is not complete, or that is held for the map.
 struct OpenChunk {
     block: Block,
-    /// Of the cells wanted, those that have not run.
+    /// The wanted cells that have not run yet.
     left: usize,
-    /// It has what is not on disk.
+    /// True where the chunk has outcomes that are not on disk.
     unsaved: bool,
 }
 
@@ -30,11 +30,11 @@ struct OpenChunk {
 pub struct Saver<'a> {
     /// The folder.
     pub store: &'a Store,
-    /// Least time between two savings.
+    /// The least time between two savings.
     pub patience: Duration,
-    /// All outcomes stay in memory, too.
+    /// True where all outcomes stay in memory, too.
     pub holds: bool,
-    /// Asked before each file: a saving ends early where it is false, and the chunk is as it was on disk.
+    /// Asked before each file. Where it returns false, saving ends early, and the chunk on disk stays as it was.
     pub go_on: &'a (dyn Fn() -> bool + Sync),
 }
 
@@ -45,14 +45,14 @@ pub struct OutcomeCollector<'a> {
     wanted: Range<usize>,
     saver: Option<Saver<'a>>,
     open: BTreeMap<usize, OpenChunk>,
-    /// Cells of each chunk that are on disk.
+    /// The number of cells of each chunk that are on disk.
     on_disk: BTreeMap<usize, usize>,
     began: Instant,
     saved: Instant,
 }
 
 impl<'a> OutcomeCollector<'a> {
-    /// Collects the `wanted` cells of a grid that is cut so in memory.
+    /// Collects the `wanted` cells of a grid in memory; `chunking` says how the grid is cut into chunks.
     pub fn in_memory(
         chunking: Chunking,
         precision: Precision,
@@ -98,7 +98,7 @@ impl<'a> OutcomeCollector<'a> {
         Ok(collector)
     }
 
-    /// Of the cells wanted of a chunk, those that are not among the ones done.
+    /// The wanted cells of a chunk that are not done yet.
     fn left_of(&self, chunk: usize, done: &[Range<usize>]) -> usize {
         let wanted = self.wanted_of(chunk);
         let done = done
@@ -107,24 +107,24 @@ impl<'a> OutcomeCollector<'a> {
         wanted.len() - done.sum::<usize>()
     }
 
-    /// The cells wanted of a chunk.
+    /// The wanted cells of a chunk.
     fn wanted_of(&self, chunk: usize) -> Range<usize> {
         let cells = self.chunking.cells(chunk);
         let first = cells.start.max(self.wanted.start);
         first..cells.end.min(self.wanted.end).max(first)
     }
 
-    /// All outcomes stay in memory.
+    /// True where all outcomes stay in memory.
     fn holds(&self) -> bool {
         self.saver.as_ref().is_none_or(|saver| saver.holds)
     }
 
-    /// Cells wanted that are on disk.
+    /// The number of wanted cells that are on disk.
     pub fn cells_on_disk(&self) -> usize {
         self.on_disk.values().sum()
     }
 
-    /// Takes the cells of a block, those that have run, from the grid's cell `first` on.
+    /// Takes those cells of a block that have run; the first cell of the block is the cell `first` of the grid.
     ///
     /// # Errors
     /// Those of the store.
@@ -146,7 +146,7 @@ impl<'a> OutcomeCollector<'a> {
         Ok(())
     }
 
-    /// The chunk that a block from a cell on is the whole of, if nothing is there of it yet.
+    /// The chunk that a block from a cell on fills completely; none where the chunk already has cells.
     fn new_chunk_of(&self, first: usize, block: &Block) -> Option<usize> {
         let cells = first..first + block.len();
         let chunk = self.chunking.chunks(&cells).next()?;
@@ -155,7 +155,7 @@ impl<'a> OutcomeCollector<'a> {
         (whole && new && block.precision() == self.precision).then_some(chunk)
     }
 
-    /// Takes cells of a block that have all run; `first` is the grid's cell of the block's first.
+    /// Takes cells of a block, all of which have run; the first cell of the block is the cell `first` of the grid.
     fn take_run(
         &mut self,
         first: usize,
@@ -185,7 +185,7 @@ impl<'a> OutcomeCollector<'a> {
         Ok(())
     }
 
-    /// Saves a chunk that is whole and is not held in memory.
+    /// Saves a chunk that is complete and is not held in memory.
     fn ended(&mut self, chunk: usize) -> Result<(), StoreError> {
         let whole = self.open.get(&chunk).is_some_and(|open| open.left == 0);
         if whole && !self.holds() && self.save(chunk)? {
@@ -194,7 +194,7 @@ impl<'a> OutcomeCollector<'a> {
         Ok(())
     }
 
-    /// Saves what is only in memory, if the run has been long at all: it is about to end. False where that ended early.
+    /// Saves what is only in memory, because the run is about to end; a short run is not worth saving. False where saving ended early.
     ///
     /// # Errors
     /// Those of the store.
@@ -203,7 +203,7 @@ impl<'a> OutcomeCollector<'a> {
         if self.saver.as_ref().is_some_and(long) { self.save_all() } else { Ok(true) }
     }
 
-    /// Saves a chunk; false where it ended early.
+    /// Saves a chunk; false where saving ended early.
     fn save(&mut self, chunk: usize) -> Result<bool, StoreError> {
         let wanted = self.wanted_of(chunk).len();
         if let (Some(saver), Some(open)) = (&self.saver, self.open.get_mut(&chunk))
@@ -218,7 +218,7 @@ impl<'a> OutcomeCollector<'a> {
         Ok(true)
     }
 
-    /// Saves all chunks; false where it ended early.
+    /// Saves all chunks; false where saving ended early.
     fn save_all(&mut self) -> Result<bool, StoreError> {
         let chunks: Vec<usize> = self.open.keys().copied().collect();
         for chunk in chunks {
@@ -240,9 +240,8 @@ impl<'a> OutcomeCollector<'a> {
         if whole { Ok(()) } else { Err(StoreError::Incomplete) }
     }
 
-    /// All outcomes of the grid, of which every cell was wanted; or, where they are not held in memory, a
-    /// reader of those on disk. What is left over goes to disk if the run has been long at all: to write the
-    /// map takes its time, too.
+    /// All outcomes of a grid of which every cell was wanted; where memory does not hold them, a reader of those on disk. Outcomes
+    /// that are not saved yet are saved first unless the run was short, because writing the map takes time, too.
     ///
     /// # Errors
     /// Those of the store.

@@ -1,4 +1,4 @@
-//! The columns that somebody asks for: what a sweep looks for, holds on disk and tells follows from them.
+//! The columns that a user asks for. What a sweep computes, stores and writes follows from them.
 
 use std::fmt;
 use std::str::FromStr;
@@ -21,14 +21,14 @@ impl Default for ColumnSet {
 }
 
 impl ColumnSet {
-    /// Those that a map has by default.
+    /// The columns that a map has by default.
     pub const ALL: ColumnSet = ColumnSet((1 << Column::BY_DEFAULT) - 1);
 
-    /// Every one there is.
+    /// All columns.
     pub(crate) const EVERY: ColumnSet = ColumnSet((1 << Column::ALL.len()) - 1);
 
-    /// What tells whether a cell has run, and what pictures and counts are made of: a sweep holds these whatever is asked
-    /// for, since each cell has them anyway.
+    /// The columns that tell whether a cell has run, and those that pictures and counts need. A sweep always holds them, because
+    /// every cell has them anyway.
     const HELD: ColumnSet = ColumnSet::of(&[
         Column::Outcome,
         Column::Impacts,
@@ -37,10 +37,10 @@ impl ColumnSet {
         Column::TSimulated,
     ]);
 
-    /// What tells where the model is not valid.
+    /// The columns that tell where the model is not valid.
     const FORCES: ColumnSet = ColumnSet::of(&[Column::MinContact, Column::Friction]);
 
-    /// Those of a list.
+    /// The columns of a list.
     pub const fn of(columns: &[Column]) -> ColumnSet {
         let (mut set, mut next) = (0, 0);
         while next < columns.len() {
@@ -50,7 +50,7 @@ impl ColumnSet {
         ColumnSet(set)
     }
 
-    /// Those of these names; `all` are those that a map has by default.
+    /// The columns of these names; the name `all` stands for those that a map has by default.
     ///
     /// # Errors
     /// The key `columns`: no name, or one that no column has.
@@ -73,39 +73,39 @@ impl ColumnSet {
         })
     }
 
-    /// True where a column is among them.
+    /// True where the set contains a column.
     pub fn has(self, column: Column) -> bool {
         self.0 >> column as u32 & 1 == 1
     }
 
-    /// True where they are those that a map has by default.
+    /// True where the set is that of a map by default.
     pub fn is_all(&self) -> bool {
         *self == ColumnSet::ALL
     }
 
-    /// Their descriptions, in the table's order.
+    /// The descriptions of the columns, in the order of the table.
     pub fn entries(self) -> impl Iterator<Item = &'static Entry> {
         TABLE.iter().filter(move |entry| self.has(entry.column))
     }
 
-    /// They, in the table's order.
+    /// The columns, in the order of the table.
     pub fn columns(self) -> impl Iterator<Item = Column> {
         self.entries().map(|entry| entry.column)
     }
 
-    /// Those of map.csv: the time simulated only where it was requested by its name.
+    /// The columns of map.csv: it has the simulated time only where that was requested by name.
     pub fn of_table(self) -> impl Iterator<Item = &'static Entry> {
         let whole = self.0 & ColumnSet::ALL.0 == ColumnSet::ALL.0;
         self.entries().filter(move |entry| !whole || entry.column != Column::TSimulated)
     }
 
-    /// Those that are on disk while a sweep runs, and in its map.zarr.
+    /// The columns that a running sweep saves, and that its map.zarr has.
     pub fn held(self) -> ColumnSet {
         let forces = if self.asked().forces { ColumnSet::FORCES.0 } else { 0 };
         ColumnSet(self.0 | ColumnSet::HELD.0 | forces)
     }
 
-    /// The largest and least values that they are made of.
+    /// The largest and least values of a motion from which the columns are computed.
     pub fn asked(self) -> Asked {
         let any = |columns: &[Column]| columns.iter().any(|column| self.has(*column));
         Asked {
@@ -118,7 +118,7 @@ impl ColumnSet {
     }
 }
 
-/// From their names, separated by commas.
+/// Reads the names of columns, separated by commas.
 impl FromStr for ColumnSet {
     type Err = String;
 
@@ -128,14 +128,14 @@ impl FromStr for ColumnSet {
     }
 }
 
-/// Their names, separated by commas.
+/// Writes the names of the columns, separated by commas.
 impl fmt::Display for ColumnSet {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.write_str(&self.entries().map(|entry| entry.name).collect::<Vec<_>>().join(","))
     }
 }
 
-/// A list of names.
+/// A set in JSON and TOML is a list of names.
 impl Serialize for ColumnSet {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_seq(self.entries().map(|entry| entry.name))

@@ -1,5 +1,5 @@
-//! Every column of a map, defined once: columns in memory and on disk, map.csv, map.npz, map.zarr and
-//! docs/columns.md are made of this table.
+//! The columns of a map, each defined once. The columns in memory and on disk, map.csv, map.npz, map.zarr and
+//! docs/columns.md are all made from this table.
 
 use std::ops::Range;
 
@@ -20,61 +20,61 @@ pub struct Entry {
     pub meaning: &'static str,
     /// What it holds.
     pub kind: ColumnKind,
-    /// What a cell has in it.
+    /// Gives the value of a cell in it, as it is shown.
     pub shown: fn(&Outcome) -> Shown,
 }
 
-/// A column as a type: what a cell has in it, and where it lies.
+/// A column as a type: the type of its values, and where they are stored.
 pub(super) trait ColumnType {
-    /// What a cell has in it.
+    /// The type of its values.
     type Value: CellValue;
-    /// Which one it is.
+    /// The column of this type.
     const COLUMN: Column;
 
-    /// That of a cell.
+    /// The value that an outcome has in this column.
     fn of(cell: &Outcome) -> Self::Value;
 
-    /// Gives it to a cell.
+    /// Sets the value of an outcome in this column.
     fn give(cell: &mut Outcome, value: Self::Value);
 
-    /// Its values among all columns.
+    /// The values of this column, of a struct of all columns.
     fn values<F: ColumnNumber>(columns: &Columns<F>) -> &Vec<Stored<Self::Value, F>>;
 
     /// The same, to be changed.
     fn values_mut<F: ColumnNumber>(columns: &mut Columns<F>) -> &mut Vec<Stored<Self::Value, F>>;
 
-    /// Its slots among those of all columns.
+    /// The slots of this column, of a struct of all slots.
     fn slots<'s, F: ColumnNumber>(slots: &'s mut Slots<F>) -> &'s mut [Stored<Self::Value, F>];
 }
 
 /// What a cell has in a column.
 pub(super) type ValueOf<C> = <C as ColumnType>::Value;
 
-/// Takes so many slots from the front.
+/// Splits `count` slots off the front.
 fn cut<'a, T>(slots: &mut &'a mut [T], count: usize) -> &'a mut [T] {
     let (front, rest) = std::mem::take(slots).split_at_mut(count);
     *slots = rest;
     front
 }
 
-/// Makes of the table all that has a part for each column. Of a column the table has its name in Rust, the field of an
-/// [`Outcome`] and its type, which is what the column holds, its name in files, unit and meaning.
+/// Makes everything that has a part for each column from one table. A row of the table has the name of the column in Rust, the
+/// field of an [`Outcome`] and its type, which is also the type of the column, the name in files, the unit and the meaning.
 macro_rules! columns {
     ($d:tt $(
         $(#[$doc:meta])* $column:ident = $field:ident: $value:ty, $name:literal, $unit:literal, $meaning:literal;
     )*) => {
-        /// What is known of a cell, a name each.
+        /// What is known of a cell: one variant for each column.
         #[derive(Debug, Clone, Copy, PartialEq, Eq)]
         pub enum Column {
             $($(#[$doc])* $column,)*
         }
 
         impl Column {
-            /// Every column there is.
+            /// All columns.
             pub const ALL: [Column; [$($name),*].len()] = [$(Column::$column),*];
         }
 
-        /// The table, in the order of [`Column`].
+        /// The descriptions of all columns, in the order of [`Column`].
         pub const TABLE: [Entry; Column::ALL.len()] = [$(Entry {
             column: Column::$column,
             name: $name,
@@ -84,32 +84,32 @@ macro_rules! columns {
             shown: |cell| cell.$field.shown(),
         }),*];
 
-        /// All columns of cells, numbers of a type.
+        /// All columns of a run of cells, with numbers of one type.
         #[derive(Debug, Clone, PartialEq, Default)]
         pub(super) struct Columns<F: ColumnNumber> {
             $(pub(super) $field: Vec<Stored<$value, F>>,)*
         }
 
-        /// Some values of all columns, to be written.
+        /// Parts of all columns, to be written to.
         pub(super) struct Slots<'a, F: ColumnNumber> {
             $($field: &'a mut [Stored<$value, F>],)*
         }
 
         impl<F: ColumnNumber> Columns<F> {
-            /// Those of some cells, to be written.
+            /// The parts that belong to a range of cells.
             pub(super) fn slots(&mut self, cells: Range<usize>) -> Slots<'_, F> {
                 Slots { $($field: &mut self.$field[cells.clone()],)* }
             }
         }
 
         impl<'a, F: ColumnNumber> Slots<'a, F> {
-            /// Takes so many from the front.
+            /// Splits `count` cells off the front.
             pub(super) fn cut(&mut self, count: usize) -> Slots<'a, F> {
                 Slots { $($field: cut(&mut self.$field, count),)* }
             }
         }
 
-        /// Each column as a type.
+        /// Each column as a type, for code that is generic over columns.
         pub(super) mod of {
             $(pub struct $column;)*
         }
@@ -139,7 +139,7 @@ macro_rules! columns {
             }
         })*
 
-        /// An expression for a column, in which a name stands for its type.
+        /// Evaluates an expression for a column; a name in it stands for the type of the column.
         macro_rules! with_column {
             ($d column:expr, $d name:ident => $d body:expr) => {
                 match $d column {

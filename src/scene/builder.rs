@@ -1,4 +1,4 @@
-//! Scenes as they are given: by types, by TOML files and, with the same keys as flags, by the command line.
+//! Scenes as a user gives them: by types, by TOML files, and by the flags of the command line, which have the same keys.
 
 use std::path::Path;
 
@@ -12,10 +12,10 @@ use super::{Directions, Overturn, Pressure, Scene, SceneError, Values};
 use super::{block, check, isolation, shown};
 use crate::model::pulse::Shape;
 
-/// Titles of scenes that were given none: of a pulse and of a record.
+/// The titles of scenes without a title of their own: of a pulse and of a record.
 pub const TITLES: [&str; 2] = ["Overturning spectral map", "Rocking map"];
 
-/// What is given of a scene; what is missing has a default or is an error of [`check`](SceneBuilder::check).
+/// The numbers and choices of a scene that a user has given. A missing one has a default or is an error of [`check`](SceneBuilder::check).
 /// Keys and units are those of the command line.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SceneBuilder {
@@ -35,11 +35,11 @@ pub struct SceneBuilder {
     pub record: Option<RecordText>,
     /// All numbers.
     pub numbers: Numbers,
-    /// Numbers are accepted, however improbable.
+    /// True to accept implausible numbers.
     pub force: bool,
     /// The parameter along the picture's horizontal axis.
     pub x: Option<Parameter>,
-    /// That along its vertical axis.
+    /// The parameter along its vertical axis.
     pub y: Option<Parameter>,
 }
 
@@ -73,7 +73,7 @@ impl SceneBuilder {
         toml::from_str(text).map_err(|error| located(text, &error))
     }
 
-    /// What makes a checked scene again; its record's files lie where `record` says.
+    /// The builder that makes a checked scene again; the files of its record lie where `record` says.
     pub fn again(scene: &Scene, record: Option<RecordText>) -> SceneBuilder {
         let shape = match scene.excitation {
             Excitation::Pulse(shape) => Some(shape),
@@ -241,7 +241,7 @@ pub fn located(text: &str, error: &toml::de::Error) -> String {
     format!("{}{}{hint}", place.unwrap_or_default(), shown::line(&in_words(&message.join(" "))))
 }
 
-/// The line of a text that has a place.
+/// The line of a text at a byte offset.
 fn line_at(text: &str, place: usize) -> &str {
     let place = place.min(text.len());
     let start = text[..place].rfind('\n').map_or(0, |end| end + 1);

@@ -58,10 +58,8 @@ fn is_plausible(entry: &Entry, value: f64) -> bool {
 }
 
 fn questioned(entry: &Entry, value: f64) -> String {
-    let (low, high) = entry.plausible;
+    let (low, high) = entry.plausible_ends();
     let unit = if entry.unit.is_empty() { "" } else { " " };
-    // Magnitudes are meant.
-    let low = if low == 0.0 && entry.legal.holds(-high) { -high } else { low };
     format!(
         "{value}{unit}{} is not plausible ({low} to {high}; {}); {ACCEPTED}",
         entry.unit, entry.perhaps

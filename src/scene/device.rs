@@ -21,13 +21,13 @@ written! {
     }
 }
 
-/// Nearer to 1 than this a factor is 1: what rounding leaves of a quotient.
+/// A factor that differs from 1 by less than this is 1: the difference is a rounding error of a quotient.
 pub(super) const ROUNDING: f64 = 1.0e-12;
 
-/// Least period that is still taken for an isolation, s.
+/// The least period of an isolation, s: a shorter one is refused.
 pub const LEAST_PERIOD: f64 = 1.0e-4;
 
-/// What is said of a shorter one.
+/// What the error about a shorter period says.
 pub(super) fn too_short(period: f64) -> String {
     format!(
         "{period} s is too stiff to resolve; the least is {LEAST_PERIOD} s, or lock the direction"
@@ -71,7 +71,7 @@ pub enum Device {
 }
 
 impl Device {
-    /// That of some numbers.
+    /// The kind of device that numbers describe.
     pub fn of(numbers: &Numbers) -> Device {
         use Parameter::{K1, K2, Mu, Qd, Radius, TH, UY, YieldForce};
         let has = |parameter| numbers.has(parameter);

@@ -12,9 +12,9 @@ pub const AXES: usize = 6;
 /// A swept parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// Which one.
+    /// The parameter.
     pub parameter: Parameter,
-    /// Its values.
+    /// The values of the parameter.
     pub values: Values,
 }
 
@@ -35,7 +35,7 @@ impl Axis {
     }
 }
 
-/// A cell's place along each axis of its grid; zeros beyond the last.
+/// The place of a cell along each axis of its grid; zeros beyond the last axis.
 pub type Place = [usize; AXES];
 
 /// A box of cells, of one axis at least; the first axis is the fastest.
@@ -46,7 +46,7 @@ pub struct Grid {
     choices: Choices,
 }
 
-/// The axes that a scene has where nothing else is swept, in the order that they come in.
+/// The axes of a scene in which nothing else is swept, in their order.
 fn usual(scene: &Scene) -> [Parameter; 2] {
     match scene.excitation {
         Excitation::Pulse(_) => [Parameter::Omega, Parameter::AH],
@@ -93,7 +93,7 @@ impl Grid {
         Grid { axes, fixed: scene.numbers.first(), choices: Choices::of(scene) }
     }
 
-    /// The axes, the fastest first.
+    /// The axes; the one that varies fastest from cell to cell comes first.
     pub fn axes(&self) -> &[Axis] {
         &self.axes
     }
@@ -115,13 +115,13 @@ impl Grid {
         (0..self.axes.len()).filter(|place| !end(&self.axes[*place])).collect()
     }
 
-    /// The axis along which alone the cells lie, where there is one.
+    /// The only axis with several values; none where several axes have them.
     pub fn line(&self) -> Option<&Axis> {
         let mut swept = self.axes.iter().filter(|axis| axis.count() > 1);
         swept.next().filter(|_| swept.next().is_none())
     }
 
-    /// Columns, and rows of all other axes together.
+    /// The number of columns, and the number of rows of all other axes together.
     pub fn shape(&self) -> (usize, usize) {
         let rows = self.axes[1..].iter().map(Axis::count);
         (self.axes[0].count(), rows.fold(1, usize::saturating_mul))
@@ -133,7 +133,7 @@ impl Grid {
         std::array::from_fn(|k| self.axes.get(k + 1).map_or(1, |axis| axis.count() as u32))
     }
 
-    /// Number of cells, at most what the machine's addresses hold.
+    /// The number of cells, at most the largest that `usize` holds.
     pub fn len(&self) -> usize {
         let (columns, rows) = self.shape();
         columns.saturating_mul(rows)
@@ -166,7 +166,7 @@ impl Grid {
         axes.fold(0, |cell, (axis, at)| cell * axis.count() + at)
     }
 
-    /// The neighbours of a cell along the first two axes: those in its slice.
+    /// The neighbours of a cell along the first two axes, which lie in its slice.
     pub fn neighbours(&self, cell: usize) -> impl Iterator<Item = usize> + use<> {
         let columns = self.x().count();
         let rows = self.y().map_or(1, Axis::count);
@@ -176,7 +176,7 @@ impl Grid {
         along.into_iter().chain(across).flatten()
     }
 
-    /// Values of all axes at a cell.
+    /// The values of all axes at a cell.
     pub fn coordinates(&self, cell: usize) -> impl Iterator<Item = f64> + '_ {
         let place = self.place(cell);
         self.axes.iter().zip(place).map(|(axis, at)| axis.values.value(at))
@@ -242,7 +242,7 @@ impl Grid {
         [Parameter::UY, Parameter::YieldForce, Parameter::Qd].into_iter().any(given)
     }
 
-    /// True where some cell's block begins tilted.
+    /// True where the block of some cell begins tilted.
     pub fn tilts(&self) -> bool {
         self.corners().any(|case| case.tilt != 0.0)
     }
@@ -257,7 +257,7 @@ impl Grid {
         Some(Grid { axes: vec![axis], fixed, ..self.clone() })
     }
 
-    /// The slices of the first two axes: one where there are no others.
+    /// The slices of the first two axes: a single one where there are no other axes.
     pub fn slices(&self) -> usize {
         self.axes.iter().skip(2).map(Axis::count).product()
     }

@@ -46,7 +46,7 @@ pub fn page() -> String {
             section.key()
         );
         for entry in PARAMETERS.iter().filter(|entry| entry.section == section) {
-            let plausible = match entry.plausible {
+            let plausible = match entry.plausible_ends() {
                 (_, high) if high.is_infinite() => String::new(),
                 (low, high) => format!("{low} to {high}"),
             };

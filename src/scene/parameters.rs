@@ -536,17 +536,20 @@ impl Entry {
         format!("--{}", self.key.replace('_', "-"))
     }
 
+    /// The least and the largest plausible value; the least is negative where the number may be, because `plausible` has magnitudes.
+    pub fn plausible_ends(&self) -> (f64, f64) {
+        let ((least, _), _) = self.legal.ends();
+        let (low, high) = self.plausible;
+        if low == 0.0 && least < 0.0 { (least.max(-high), high) } else { (low, high) }
+    }
+
     /// From where to where its values may lie, in words: what makes sense at all and is plausible; empty where
     /// there are no ends.
     pub fn range(&self) -> String {
         let ((low, high), (has_low, has_high)) = self.legal.ends();
-        let (least, most) = self.plausible;
+        let (least, most) = self.plausible_ends();
         let (high, has_high) = if most < high { (most, true) } else { (high, has_high) };
-        let (low, has_low) = match low {
-            low if low < -most => (-most, true),
-            low if low >= 0.0 && least > low => (least, true),
-            low => (low, has_low),
-        };
+        let (low, has_low) = if least > low { (least, true) } else { (low, has_low) };
         match (low.is_finite() && high.is_finite(), has_low, has_high) {
             (false, ..) => String::new(),
             (true, true, true) => format!("{low} to {high}"),
@@ -560,6 +563,16 @@ impl Entry {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A displacement may lie on either side of the middle, a length is above zero.
+    #[test]
+    fn a_number_that_may_be_below_zero_has_plausible_values_there() {
+        let ends = |one: Parameter| (one.entry().plausible_ends(), one.entry().range());
+        assert_eq!(ends(P::Offset), ((-20.0, 20.0), "-20 to 20".into()));
+        assert_eq!(ends(P::Eccentricity), ((-1.0, f64::INFINITY), "above -1, below 1".into()));
+        assert_eq!(ends(P::Mu), ((0.0, 0.5), "0 to 0.5".into()));
+        assert_eq!(ends(P::Radius), ((0.05, 50.0), "0.05 to 50".into()));
+    }
 
     /// An end that is included makes sense itself, another one does not; all beyond them makes none.
     #[test]

@@ -1,4 +1,4 @@
-//! A sweep batch by batch, by one worker or by several: what is done is handed over while the rest goes on.
+//! A sweep in batches, by one or several workers: finished cells are handed over while the others still run.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -12,20 +12,20 @@ use crate::backend::ready::BackendOutcomes;
 use crate::results::block::Block;
 use crate::work::threads::Threads;
 
-/// What sweeps the cells of a batch: a backend with its plan, or in a test its double. It may hand over what
-/// is done of the batch while it goes on.
+/// What sweeps the cells of a batch: a backend with its plan, or a substitute in a test. It may hand over finished cells of the
+/// batch before the batch ends.
 pub type Worker<'a> =
     Box<dyn Fn(Range<usize>, &HandOver) -> Result<BackendOutcomes, BackendError> + Sync + 'a>;
 
-/// Takes cells that have run, by the number of the first one.
+/// Takes cells that have run; the first argument is the number of the first of them.
 pub type HandOver<'a> = dyn Fn(usize, Block) + Sync + 'a;
 
-/// What the work took, and which workers were lost.
+/// The time that the work took, and the workers that were lost.
 #[derive(Debug, Default)]
 pub struct WorkReport {
-    /// Time of the sweep: of the worker that swept longest.
+    /// Time of the sweep: that of the worker that swept longest.
     pub elapsed: Duration,
-    /// Time of compiling shaders, of the worker that compiled longest.
+    /// Time of compiling shaders: that of the worker that compiled longest.
     pub compile: Duration,
     /// Workers that failed while others went on, each with its error.
     pub lost: Vec<(usize, BackendError)>,
@@ -37,27 +37,27 @@ pub enum BatchError<E> {
     /// The last worker failed.
     #[error(transparent)]
     Backend(#[from] BackendError),
-    /// What was done could not be handed over.
+    /// Finished cells could not be handed over.
     #[error("{0}")]
     Keep(E),
 }
 
-/// How many cells a batch has: what a worker does in some seconds.
+/// The sizes of batches: as many cells as a worker runs in some seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sizes {
-    /// Cells of each worker's first batch.
+    /// The number of cells of the first batch of each worker.
     pub first: usize,
-    /// Most cells of a batch.
+    /// The largest number of cells of a batch.
     pub most: usize,
-    /// Time that a batch is to take.
+    /// The time that a batch should take.
     pub takes: Duration,
 }
 
-/// Most times as many cells as in the worker's last batch: cells differ.
+/// The largest factor by which a batch may have more cells than the last one of the same worker, because cells differ.
 const GROWTH: f64 = 4.0;
 
 impl Sizes {
-    /// Batches of a given number of cells, however long they take.
+    /// Batches of a fixed number of cells, however long they take.
     pub fn fixed(cells: usize) -> Sizes {
         Sizes { first: cells, most: cells, takes: Duration::MAX }
     }
@@ -70,10 +70,10 @@ impl Sizes {
     }
 }
 
-/// Batches that may wait to be saved.
+/// The number of batches that may wait to be saved.
 const BACKLOG: usize = 3;
 
-/// Workers, and the cells that they have not begun.
+/// The workers, and the cells that no worker has begun.
 struct Pool {
     queue: VecDeque<Range<usize>>,
     /// Cells of each worker's next batch.
@@ -84,7 +84,7 @@ struct Pool {
 }
 
 impl Pool {
-    /// Gives every idle worker a batch, while there are any.
+    /// Gives every idle worker a batch, as long as cells are left.
     fn hand_out(&mut self) {
         while let Some(worker) = self.idle.pop() {
             let Some(mut cells) = self.queue.pop_front() else {
@@ -190,7 +190,7 @@ pub fn sweep<E: Send>(
     Ok(took)
 }
 
-/// What a worker tells of a batch: its number, the cells, what became of them.
+/// What a worker reports about a batch: the number of the worker, the cells, and their results.
 type BatchDone = (usize, Range<usize>, Result<BackendOutcomes, BackendError>);
 
 /// Sweeps one batch after another, as they are ordered.

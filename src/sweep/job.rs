@@ -1,4 +1,4 @@
-//! A sweep made ready: its cells, the backends that run them, and what an earlier run has saved.
+//! A prepared sweep: its cells, the backends that run them, and the cells that an earlier run has saved.
 
 use std::io;
 use std::ops::Range;
@@ -32,15 +32,15 @@ use crate::results::store_error::StoreError;
 use crate::scene::{Grid, Parameter, Scene, SceneError, Values};
 use crate::work::observer::{Observer, Phase};
 
-/// A sweep that is ready to run.
+/// A sweep that is prepared and can run.
 pub struct Job {
-    /// Its plan, with the scene.
+    /// The plan, which has the scene.
     pub plan: Plan,
     /// Its cells.
     pub grid: Grid,
     /// The backend that runs them.
     opened: Arc<OpenBackends>,
-    /// The cells wanted.
+    /// The wanted cells.
     pub wanted: Range<usize>,
     settings: RunSettings,
     opening: Duration,
@@ -48,15 +48,15 @@ pub struct Job {
     left: Vec<Range<usize>>,
 }
 
-/// The result of a job: a map, or a part of one.
+/// The result of a job: a map, or a shard of one.
 pub enum SweepResult {
     /// A whole map.
     Map(Box<MapSweep>),
-    /// A part of one.
+    /// A shard.
     Shard(Box<ShardSweep>),
 }
 
-/// A part of a map that was run.
+/// A shard that was run.
 pub struct ShardSweep {
     /// Its folder.
     pub folder: PathBuf,
@@ -66,9 +66,9 @@ pub struct ShardSweep {
     pub lost: Vec<(usize, BackendError)>,
 }
 
-/// Cells of a run that is over before a sample of it would be.
+/// The number of cells up to which a run takes less time than a sample of it.
 const SMALL: usize = 10_000;
-/// Time that a batch takes where nothing is saved.
+/// The time that a batch should take where nothing is saved.
 const BATCH: Duration = Duration::from_secs(2);
 /// How much slower than a batch a sample may be: it fills vectors badly, and prepares a record's motions for
 /// few cells.
@@ -139,7 +139,7 @@ impl Job {
         &self.opened.backends
     }
 
-    /// The same, to run more on.
+    /// The same backend, to run further cells.
     pub fn opened(&self) -> &Arc<OpenBackends> {
         &self.opened
     }
@@ -159,12 +159,12 @@ impl Job {
         &self.settings.method
     }
 
-    /// Cells that have not run.
+    /// The number of cells that have not run.
     pub fn left(&self) -> usize {
         self.left.iter().map(Range::len).sum()
     }
 
-    /// Files of an earlier run that are not whole, and are run again: each with what is wrong.
+    /// Files of an earlier run that are damaged, each with what is wrong; their cells are run again.
     pub fn broken(&self) -> &[(PathBuf, &'static str)] {
         self.saved.as_ref().map_or(&[], |(_, found)| &found.broken)
     }

@@ -1,4 +1,4 @@
-//! A finished sweep: outcomes, what ran them, and the reference's word on a sample of them.
+//! A finished sweep: the outcomes, the backends that ran them, and the verification of a sample.
 
 use std::io;
 use std::ops::Range;
@@ -28,25 +28,25 @@ use crate::stepping::outcome::Outcome;
 use crate::work::observed::ObservedOutcomes;
 use crate::work::observer::{Observer, Phase};
 
-/// A map that was run.
+/// A map whose cells have run.
 pub struct MapSweep {
-    /// Its plan, with the scene.
+    /// The plan, which has the scene.
     pub plan: Plan,
     /// Its cells.
     pub grid: Grid,
     /// How they were computed.
     pub method: Method,
-    /// What became of them.
+    /// The outcomes of the cells.
     pub outcomes: Box<dyn Outcomes>,
     /// The backend that ran them, shard by shard; a part of another run has a folder.
     pub shards: Vec<(Option<PathBuf>, Report)>,
     /// GPUs that were lost on the way, by their numbers, each with its error.
     pub lost: Vec<(usize, BackendError)>,
-    /// How it was repaired, where it was.
+    /// How the map was repaired; none where it was not.
     pub repair: Option<Repair>,
-    /// The reference's results for a sample, where it was asked.
+    /// The verification by the reference; none where it was not asked for.
     pub verification: Option<Verification>,
-    /// Where they are saved.
+    /// The folder in which the outcomes are saved.
     pub(crate) store: Option<Store>,
 }
 
@@ -81,7 +81,7 @@ impl MapSweep {
         self.shards.iter().map(|(_, report)| report.sweep).sum()
     }
 
-    /// What its files are of.
+    /// What the files of the map say about its origin.
     pub fn source(&self) -> Source<'_> {
         Source {
             scene: &self.plan.scene,
@@ -139,7 +139,7 @@ impl MapSweep {
         Ok(Tally::of(&self.grid, &outcomes, self.method.columns)?)
     }
 
-    /// True where the reference computed all of it, so that it has nothing to verify.
+    /// True where the reference computed the whole map, so that there is nothing to verify.
     pub fn by_reference(&self) -> bool {
         self.shards.iter().all(|(_, report)| report.backend == Backend::Reference.name())
     }

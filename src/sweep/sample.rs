@@ -12,14 +12,13 @@ use crate::stepping::outcome::Outcome;
 pub struct Chosen {
     /// Its number.
     pub cell: usize,
-    /// A neighbour of it has another outcome.
+    /// True where a neighbour has another outcome.
     pub beside_boundary: bool,
     /// The sweep's outcome.
     pub outcome: Outcome,
 }
 
-/// Goes through all cells and tells of each whether a neighbour has another outcome; a few rows are
-/// in memory at a time.
+/// Goes through all cells and says of each whether a neighbour has another outcome. Only a few rows are in memory at a time.
 pub(crate) fn beside_boundary(
     grid: &Grid,
     outcomes: &dyn Outcomes,
@@ -42,14 +41,14 @@ pub(crate) fn beside_boundary(
     Ok(())
 }
 
-/// The places of `count` elements spread evenly over a list of a length.
+/// The places of `count` elements that are spread evenly over a list.
 fn spread(length: usize, count: usize) -> impl Iterator<Item = usize> {
     let count = count.min(length);
     (0..count).map(move |k| (2 * k + 1) * length / (2 * count))
 }
 
-/// The cells to run again: half lie beside a boundary, half do not; one half fills up the other where it has
-/// too few. Any stretch of the list is spread over the whole map, so that a beginning of it stands for all.
+/// The cells to run again: half of them lie beside a boundary and half do not; where there are too few of one kind, more of the
+/// other kind are taken. Any part of the list is spread over the whole map, so that the first cells of the list represent all.
 ///
 /// # Errors
 /// Those of reading the outcomes.

@@ -1,4 +1,4 @@
-//! How a sweep is run: on what, how finely, and where what is done is saved.
+//! The settings of a sweep: on which backend it runs, by which method, and where finished cells are saved.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -13,15 +13,14 @@ use crate::results::column_set::ColumnSet;
 use crate::results::shard::Shard;
 use crate::scene::{Parameter, Scene, SceneError};
 
-/// How cells are computed: all that a map depends on beside its scene and its backend.
+/// How cells are computed: everything that a map depends on beside its scene and its backend.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Method {
     /// Number type.
     pub precision: Precision,
     /// Largest step, s.
     pub largest_step: f64,
-    /// Each cell runs twice, the second time with half the step and in f64; where the outcome changes the
-    /// cell is unresolved.
+    /// Each cell runs twice, the second time with half the step and in f64. A cell whose outcome changes is unresolved.
     pub resolve: bool,
     /// The shortcuts that cannot change the result are turned off.
     pub full_model: bool,
@@ -29,7 +28,7 @@ pub struct Method {
     /// replaced.
     #[serde(default)]
     pub repair: bool,
-    /// The columns that are requested: what others need is not looked for, and a cell ends when these are final.
+    /// The requested columns. What only other columns need is not computed, and a cell ends when the requested ones are final.
     #[serde(default, skip_serializing_if = "ColumnSet::is_all")]
     pub columns: ColumnSet,
 }
@@ -69,7 +68,7 @@ impl Method {
         Ok(())
     }
 
-    /// Refuses a friction coefficient beside columns that do not tell where it is too small.
+    /// Refuses a friction coefficient if no requested column tells where it is too small.
     ///
     /// # Errors
     /// The key `friction`.
@@ -112,9 +111,9 @@ impl Method {
 /// How much of a sweep the reference runs again.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct VerifySettings {
-    /// Cells; 0: no verification.
+    /// Number of cells; 0 means no verification.
     pub cells: usize,
-    /// Time that it may take: cells that are not done by then are left out.
+    /// The longest time that it may take; cells that are not done by then are left out.
     pub within: Duration,
 }
 
@@ -142,7 +141,7 @@ impl VerifySettings {
         Ok(())
     }
 
-    /// The shard that each of a given number of sweeps has: a cell at least, where there is to be any.
+    /// The verification that each of a number of sweeps gets when they share this one: at least one cell, unless there are none.
     pub fn shared_out(self, sweeps: usize) -> VerifySettings {
         let sweeps = sweeps.max(1);
         let within = match self.within {
@@ -153,7 +152,7 @@ impl VerifySettings {
         VerifySettings { cells: self.cells.div_ceil(sweeps), within }
     }
 
-    /// So many cells, however long they take.
+    /// Verification of `cells` cells, however long they take.
     pub fn cells(cells: usize) -> VerifySettings {
         VerifySettings { cells, within: Duration::MAX }
     }
@@ -171,7 +170,7 @@ pub struct RunSettings {
     pub method: Method,
     /// What the reference runs again.
     pub verify: VerifySettings,
-    /// Where what is done is saved; nowhere without it, and the map is held in memory.
+    /// Where finished cells are saved; without it nothing is saved, and the map is held in memory.
     pub saving: Option<Saving>,
 }
 
@@ -187,18 +186,18 @@ impl Default for RunSettings {
     }
 }
 
-/// Where and when what is done is saved.
+/// Where and when finished cells are saved.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Saving {
     /// The directory; a folder `unfinished`, or a shard's, is made in it.
     pub directory: PathBuf,
-    /// Go on with an interrupted run there.
+    /// True to continue an interrupted run in the directory.
     pub resume: bool,
     /// Least time between two savings.
     pub every: Duration,
-    /// Bytes that the columns may take in memory; of a larger map what is done lies on disk only.
+    /// Number of bytes that the columns may take in memory. The finished cells of a larger map are only on disk.
     pub memory: u64,
-    /// Run this part of the grid only, and leave it there.
+    /// Run only this shard of the grid, and leave it in the directory.
     pub shard: Option<Shard>,
     /// A run that its observer ends does not save what it has done since the last saving: it ends at once.
     pub ends_at_once: bool,

@@ -1,4 +1,4 @@
-//! Finished shards, joined: all cells once, of one scene, run in one way.
+//! Joins finished shards: together they must have every cell once, of one scene, computed by one method.
 
 use std::fs;
 use std::ops::Range;
@@ -37,7 +37,7 @@ struct Piece {
 /// All shards of a map.
 #[derive(Debug)]
 pub struct Shards {
-    /// What they are shards of; the first one's in what ran it.
+    /// The identity of the map; what it says of the backend is that of the first shard.
     pub content: Content,
     /// The shards' folders and reports, by their first cells.
     pub reports: Vec<(PathBuf, Report)>,
@@ -180,7 +180,7 @@ fn folders(directory: &Path) -> Result<Vec<PathBuf>, ShardsError> {
     Ok(folders)
 }
 
-/// Refuses cells that two shards hold, or none.
+/// Refuses cells that are in two shards or in none.
 fn seamless(pieces: &[Piece], grid: &Grid) -> Result<(), ShardsError> {
     let gap = |cells: Range<usize>| {
         let named = pieces.iter().filter_map(|piece| piece.content.shard);

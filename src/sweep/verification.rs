@@ -1,4 +1,4 @@
-//! What the reference says of a sweep: a sample of its cells, run again.
+//! The verification of a sweep: the reference runs a sample of its cells again.
 
 use std::time::{Duration, Instant};
 
@@ -19,30 +19,31 @@ use crate::work::threads::install;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Region {
-    /// Its contact force turned tensile: the model is not valid there. Pictures hatch such cells.
+    /// The contact force became tensile: the model is not valid there. Pictures hatch such cells.
     Tensile,
-    /// A neighbour of it has another outcome.
+    /// A neighbour has another outcome.
     BesideBoundary,
     /// The reference has other outcomes, too, where the block is a millionth wider or narrower: its rocking is
     /// chaotic, and no number of the scene is known that well.
     Sensitive,
-    /// In the midst of cells of one outcome.
+    /// The cell lies among cells of one outcome.
     Inside,
 }
 
 /// A cell that sweep and reference have run.
 #[derive(Debug, Clone, Copy)]
 pub struct Judged {
-    /// Which one, and the sweep's outcome.
+    /// The cell, with the outcome of the sweep.
     pub chosen: Chosen,
     /// The reference's outcome.
     pub reference: Outcome,
-    /// It hangs on a millionth of the block's width; looked into where both differ for no other reason.
+    /// True where the outcome depends on a millionth of the block's width. Looked for only where both outcomes differ for no other
+    /// reason.
     pub sensitive: bool,
 }
 
-/// Share of the block's width by which it is changed to see how far an outcome hangs on it. In f32 a number of
-/// the scene is rounded by a tenth of that.
+/// The relative change of the block's width by which the dependence of an outcome on it is tested. In f32 a number of the scene
+/// is rounded by a tenth of that.
 const CHANGE: f64 = 1.0e-6;
 
 impl Judged {
@@ -69,33 +70,32 @@ pub struct Difference {
     pub sweep: Class,
     /// The reference's outcome.
     pub reference: Class,
-    /// Where it lies.
+    /// Where the cell lies.
     pub region: Region,
 }
 
-/// What follows from the sample for the map.
+/// The conclusion from the sample about the map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
-    /// No outcome differs. Impacts, times and zeta of single cells may.
+    /// No outcome differs. Impacts, times and zeta of single cells may differ.
     Right,
-    /// Outcomes differ no more than is to be expected: where the model is not valid, or in few of the cells
-    /// beside a boundary.
+    /// Outcomes differ no more than is expected: only where the model is not valid, or in a few of the cells beside a boundary.
     AsExpected,
-    /// Outcomes differ where they should not, or zeta does.
+    /// Outcomes differ where they should not, or zeta differs too much.
     Wrong,
-    /// No cell that the sweep calls something was run again.
+    /// No cell that has an outcome was run again.
     Nothing,
 }
 
-/// How the sample came out.
+/// The results of the sample.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Verification {
-    /// What follows for the map.
+    /// The conclusion about the map.
     pub verdict: Verdict,
     /// Cells that were chosen.
     pub chosen: usize,
-    /// Cells run again: fewer, where the time was up.
+    /// Cells that were run again: fewer than were chosen where the time was up.
     pub sampled: usize,
     /// Those of them beside a boundary between outcomes.
     pub beside_boundary: usize,
@@ -109,7 +109,7 @@ pub struct Verification {
     pub differ_beside_boundary: usize,
     /// Those of the rest whose rocking is chaotic.
     pub differ_sensitive: usize,
-    /// The first that differ.
+    /// The first cells that differ.
     pub differences: Vec<Difference>,
     /// Overturned cells, agreeing about it, whose impact count differs.
     pub impacts_differ: usize,

@@ -1,4 +1,4 @@
-//! Outcomes whose reading shows how far the work on them is, and ends when it is cancelled.
+//! Outcomes that report the progress of reading them, and whose reading ends when the work is cancelled.
 
 use std::borrow::Cow;
 use std::io;
@@ -9,14 +9,14 @@ use crate::results::columns::Column;
 use crate::results::outcomes::Outcomes;
 use crate::stepping::outcome::Outcome;
 
-/// Outcomes that are read under somebody's eyes, who is informed of cells times columns.
+/// Outcomes with an observer of their reading. The unit of progress is a cell times a column.
 pub struct ObservedOutcomes<'a> {
     outcomes: &'a dyn Outcomes,
     observer: &'a dyn Observer,
 }
 
 impl<'a> ObservedOutcomes<'a> {
-    /// Outcomes whose reading `observer` hears of.
+    /// Outcomes whose reading is reported to `observer`.
     pub fn new(outcomes: &'a dyn Outcomes, observer: &'a dyn Observer) -> ObservedOutcomes<'a> {
         ObservedOutcomes { outcomes, observer }
     }

@@ -1,4 +1,4 @@
-//! Who watches a sweep: hears of its phases and its cells, and may end it.
+//! Observers of a sweep: they are told of its phases and its progress, and can end it.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -6,43 +6,43 @@ use std::sync::atomic::{AtomicBool, Ordering};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Phase {
-    /// Cells run; those that run twice count twice.
+    /// Cells are run; a cell that runs twice counts twice.
     Sweeping,
-    /// Cells beside a boundary between outcomes run again, more finely; those that change once more.
+    /// Cells beside a boundary between outcomes run again with a smaller step; those whose outcome changes run once more.
     Repairing,
-    /// Cells of a finer grid run.
+    /// Cells of a finer grid are run.
     Refining,
-    /// Outcomes are counted, in cells times columns.
+    /// Outcomes are counted; the unit of progress is a cell times a column.
     Counting,
     /// The reference's sample is chosen, in cells times columns: one of all cells twice, and all of the sample.
     Choosing,
-    /// The reference runs its sample, in cells.
+    /// The reference runs its sample; the unit of progress is a cell.
     Verifying,
-    /// Fragilities are fitted, in cells times limit states.
+    /// Fragilities are fitted; the unit of progress is a cell times a limit state.
     Fitting,
-    /// Files are written, in cells.
+    /// Files are written; the unit of progress is a cell.
     Writing,
 }
 
-/// Hears of a sweep's phases and of its progress, and may end it.
+/// Is told of the phases and the progress of a sweep, and can end it.
 pub trait Observer: Sync {
-    /// Hears that a phase begins, and how much there is to do.
+    /// Called when a phase begins, with the amount of work in it.
     fn begins(&self, phase: Phase, total: usize) {
         let _ = (phase, total);
     }
 
-    /// Hears of cells that are done since it last heard of some.
+    /// Called with the number of cells that were done since the last call.
     fn advance(&self, cells: usize) {
         let _ = cells;
     }
 
-    /// True when the work is to end, which it does within a tenth of a second. Every thread asks it many times a second.
+    /// True when the work is to end; it then ends within a tenth of a second. Every thread asks many times a second.
     fn cancelled(&self) -> bool {
         false
     }
 }
 
-/// Nobody watches, and the work goes to its end.
+/// No observer: the work goes on to its end.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Unwatched;
 

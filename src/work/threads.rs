@@ -1,4 +1,4 @@
-//! Threads of the CPU: as many as the process has, or as many as a call asks for.
+//! The threads that compute on the CPU: those of the process, or as many as a call asks for.
 //!
 //! A call works under [`Threads::scope`]. Threads that it starts take its [`Threads::current`] with them, and what computes
 //! on all threads does it by [`install`].
@@ -12,7 +12,7 @@ use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 /// Most threads that a call may ask for: more than a machine has cores, and few enough for the system to make at once.
 pub const MOST: usize = 4096;
 
-/// The fault of a number of threads; none where there may be so many.
+/// What is wrong with a number of threads; none where the number is valid.
 pub fn too_many(count: NonZeroUsize) -> Option<String> {
     let problem = || {
         format!("{count} is too many; give no more than the machine has cores, and {MOST} at most")
@@ -21,7 +21,7 @@ pub fn too_many(count: NonZeroUsize) -> Option<String> {
 }
 
 thread_local! {
-    /// Those of the call that this thread works for.
+    /// The threads of the call that this thread works for.
     static CURRENT: RefCell<Threads> = const { RefCell::new(Threads(None)) };
 }
 
@@ -30,7 +30,7 @@ thread_local! {
 pub struct Threads(Option<Arc<ThreadPool>>);
 
 impl Threads {
-    /// So many threads of their own; those of the process where no number is given.
+    /// A pool of `count` threads; the threads of the process where no number is given.
     ///
     /// # Errors
     /// More threads than the system gives.
@@ -39,12 +39,12 @@ impl Threads {
         Ok(Threads(count.map(own).transpose()?.map(Arc::new)))
     }
 
-    /// Those of the call that this thread works for.
+    /// The threads of the call that this thread works for.
     pub fn current() -> Threads {
         CURRENT.with_borrow(Clone::clone)
     }
 
-    /// Works for a call that has these threads.
+    /// Runs work for a call that has these threads.
     pub fn scope<T>(&self, work: impl FnOnce() -> T) -> T {
         /// Puts back what was there, whoever panics.
         struct Before(Threads);

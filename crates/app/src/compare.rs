@@ -97,6 +97,9 @@ struct Manifest<'a> {
     #[serde(serialize_with = "path_text::serialize_some")]
     hazard: Option<&'a Path>,
     hazard_units: Option<&'static str>,
+    /// The curve that was read: its levels, in SI units, and annual rates.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hazard_curve: Option<Vec<[f64; 2]>>,
     /// Checksums of the files that it read beside its motions.
     inputs: Inputs,
     /// The reference's results for a sample.
@@ -182,10 +185,9 @@ impl CompareCommand {
             let stripes = compared.devices.iter().flat_map(|device| &device.rate);
             told::warn_of_units(stripes.flat_map(|rated| &rated.stripes), Some(hazard), im);
         }
-        let ids = suite.motions().map(|(entry, _)| entry.id.as_str()).collect();
         let named = settings.devices.iter().zip(scenes);
         let manifest = Manifest {
-            suite: self.motions.manifest(&compared.sweep, ids, (&suite, options)),
+            suite: self.motions.manifest(&compared.sweep, (&suite, options)),
             list: &self.devices,
             devices: named.map(|(one, scene)| Of { device: &one.name, scene }).collect(),
             standing: limits.standing,
@@ -201,6 +203,7 @@ impl CompareCommand {
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
             hazard: self.hazard.path(),
             hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
+            hazard_curve: hazard.as_ref().map(|hazard| hazard.curve.points()),
             inputs,
             verified: &compared.sweep.verified,
         };

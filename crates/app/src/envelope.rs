@@ -138,13 +138,11 @@ impl EnvelopeCommand {
             out.picture(PICTURE, svg, &render::png(svg)?)?;
         }
         let best = envelope.best();
-        let times = envelope.settings.times;
-        let motions = swept.motions.iter().step_by(times).map(|motion| motion.id.as_str());
         let groups = envelope.settings.intervals.as_ref().map(|(groups, _)| groups);
         groups.into_iter().for_each(warn_of_few);
         suite_run::warn_of_radius(swept);
         let manifest = Manifest {
-            suite: self.motions.manifest(swept, motions.collect(), (&suite, options)),
+            suite: self.motions.manifest(swept, (&suite, options)),
             standing: limits.standing,
             limit_u: limits.u,
             limit_v: limits.v,

@@ -140,6 +140,9 @@ struct Manifest<'a> {
     hazard: Option<&'a Path>,
     /// The unit that the levels of the hazard curve were read in.
     hazard_units: Option<&'static str>,
+    /// The curve that was read: its levels, in SI units, and annual rates.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hazard_curve: Option<Vec<[f64; 2]>>,
     /// Checksums of the files that it read beside its motions.
     #[serde(skip_serializing_if = "Inputs::is_empty")]
     inputs: Inputs,
@@ -243,9 +246,8 @@ impl FragilityCommand {
         suite_run::warn_of_radius(swept);
         let empty = self.exports().filter(|export| export.is_empty(&study));
         empty.for_each(|export| words::warn(told::without_curves(export)));
-        let records = study.records().collect();
         let manifest = Manifest {
-            suite: self.motions.manifest(swept, records, (&suite, options)),
+            suite: self.motions.manifest(swept, (&suite, options)),
             im: self.im,
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
             limit_states: &study.settings.states,
@@ -258,6 +260,7 @@ impl FragilityCommand {
             samples: varies.then_some(self.samples),
             hazard: self.hazard.path(),
             hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
+            hazard_curve: hazard.as_ref().map(|hazard| hazard.curve.points()),
             inputs,
             target: self.target,
             unresolved: study.cells.iter().map(|cell| cell.unresolved).sum(),

@@ -7,7 +7,7 @@ use topple::scene::record::rounded;
 use topple_studies::fragility::estimate::Estimate;
 use topple_studies::fragility::sensitivity::Sensitivity;
 use topple_studies::fragility::study::Study;
-use topple_studies::fragility::{Export, HazardCurve, HazardText, Stripe};
+use topple_studies::fragility::{Estimator, Export, HazardCurve, HazardText, Stripe};
 use topple_studies::suites::intensity::Intensity;
 use topple_studies::suites::resample::{FEWEST_EVENTS, Groups, Resample};
 
@@ -120,6 +120,12 @@ pub fn without_curves(export: Export) -> String {
 /// Says what was estimated: all of a cell, and of a grid how far theta reaches.
 pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
     say.line("intervals", intervals(&study.settings.groups, study.records().count()));
+    if let [first, others @ ..] = &study.settings.estimators[..]
+        && !others.is_empty()
+        && study.cells.len() <= TOLD
+    {
+        say.line("curves", use_of(*first, others));
+    }
     for (number, state) in study.settings.states.iter().enumerate() {
         let fits = study.cells.iter().map(|cell| &cell.states[number].estimates[0]);
         if study.cells.len() > TOLD {
@@ -148,12 +154,15 @@ pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
             let name = if k == 0 { state.to_string() } else { String::new() };
             say.line(&name, format!("{:8} {}", estimator.name(), curve(fit, im)));
             let sensitivity = of.sensitivity.as_ref();
-            if let Some((records, numbers)) = sensitivity.and_then(Sensitivity::shares_of_beta) {
-                let [records, numbers] = [records, numbers].map(|beta| rounded(beta, 3));
-                let text = format!("of beta the records {records}, what is not known {numbers}");
+            if let Some((motions, numbers)) = sensitivity.and_then(Sensitivity::shares_of_beta) {
+                let [motions, numbers] = [motions, numbers].map(|beta| rounded(beta, 3));
+                let text = format!("of beta the motions {motions}, what is not known {numbers}");
                 say.line("", format!("         {text}"));
             }
-            for line in rates::lines((&of.stripes, of.empirical), fit, &unit(im), target) {
+            // Those of the others are in rates.csv: a reader needs one.
+            let rates =
+                (k == 0).then(|| rates::lines((&of.stripes, of.empirical), fit, &unit(im), target));
+            for line in rates.into_iter().flatten() {
                 say.line("", format!("         {line}"));
             }
         }
@@ -183,7 +192,7 @@ pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
         let fallen = one.capacities.iter().flatten().count();
         let weighted = if study.is_weighted() { ", by weight," } else { "" };
         let text = format!(
-            "{fallen} of {} records overturn it; {:.0} % of these{weighted} let it stand again at a higher level",
+            "{fallen} of {} motions overturn it; {:.0} % of these{weighted} let it stand again at a higher level",
             one.capacities.len(),
             100.0 * share
         );
@@ -193,6 +202,21 @@ pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
     if unresolved > 0 {
         say.line("left out", format!("{unresolved} runs that are unresolved"));
     }
+}
+
+/// Which of several estimators to use, and why.
+fn use_of(first: Estimator, others: &[Estimator]) -> String {
+    let why = match first {
+        Estimator::Stripes => "every run counts, also where a block stands again at a higher level",
+        Estimator::Ida => "the lowest level at which each motion fails it counts",
+        Estimator::Cloud => "demands of the runs that stand count",
+    };
+    let others: Vec<&str> = others.iter().map(|one| one.name()).collect();
+    format!(
+        "use those by {}, which are drawn, and whose rates are told: {why}; {} for comparison",
+        first.name(),
+        others.join(", ")
+    )
 }
 
 /// What is resampled for the intervals, in words.

@@ -82,8 +82,9 @@ pub struct SuiteManifest<'a> {
     suite: &'a Path,
     /// What repeats the run.
     command: CommandLine,
+    /// The suite's motions, each once.
     motions: Vec<&'a str>,
-    /// True where each motion is taken in both directions.
+    /// True where each motion is taken in both directions, as it is and reversed.
     both_directions: bool,
     /// Where the suite's motions came from, and how strong they are, by their ids.
     records: BTreeMap<&'a str, Source<'a>>,
@@ -221,7 +222,7 @@ impl SuiteFlags {
         if ran > 0 {
             let speed = ran as f64 / swept.seconds.max(1.0e-9);
             let text =
-                format!("{size}, {:.2} s, {speed:.0} records x cells a second", swept.seconds);
+                format!("{size}, {:.2} s, {speed:.0} motions x cells a second", swept.seconds);
             say.line("sweep", text);
         }
         if let Some(shard) = self.tile {
@@ -238,7 +239,6 @@ impl SuiteFlags {
     pub fn manifest<'a>(
         &'a self,
         swept: &'a SuiteSweep,
-        motions: Vec<&'a str>,
         (suite, options): (&'a Suite, &RunOptions),
     ) -> SuiteManifest<'a> {
         let runs: usize = swept.motions.iter().map(|motion| motion.outcomes.len()).sum();
@@ -247,7 +247,7 @@ impl SuiteFlags {
             device: DeviceNumbers::of(&swept.scene),
             suite: &self.suite,
             command: self.repeats.as_ref().map_or_else(CommandLine::own, |of| of.line.clone()),
-            motions,
+            motions: suite.motions().map(|(entry, _)| entry.id.as_str()).collect(),
             both_directions: self.both_directions,
             records: suite::sources(suite),
             left_out: suite::left_out(suite),

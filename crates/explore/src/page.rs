@@ -16,6 +16,7 @@ const HTML: &str = "text/html; charset=utf-8";
 const CSS: &str = "text/css; charset=utf-8";
 const SCRIPT: &str = "text/javascript; charset=utf-8";
 const PICTURE: &str = "image/svg+xml";
+const PIXELS: &str = "image/png";
 
 macro_rules! files {
     ($($path:literal: $kind:expr),* $(,)?) => {
@@ -28,6 +29,7 @@ pub const FILES: &[File] = files![
     "index.html": HTML,
     "style.css": CSS,
     "icon.svg": PICTURE,
+    "icon.png": PIXELS,
     "applies.js": SCRIPT,
     "axes.js": SCRIPT,
     "axis.js": SCRIPT,

@@ -7,7 +7,7 @@ use topple_pictures::drawing::canvas::{Canvas, Place, dashed, stroke};
 use topple_pictures::drawing::text::{MIDDLE, style};
 use topple_pictures::drawing::{COLUMN, FONT};
 
-use super::findings::percent;
+use super::tables::percent;
 
 /// Largest width and height of the block, points.
 const MOST: (f64, f64) = (120.0, 170.0);
@@ -72,6 +72,9 @@ pub fn draw(scene: &Scene, case: &Case) -> String {
     canvas.line([(centre.0 + 3.0, centre.1), (x, centre.1)], dashed(BLACK, 0.3, (1.5, 1.5)));
     let place = (x + 5.0, 0.5 * (centre.1 + foot) + MIDDLE * FONT);
     canvas.text(place, style(FONT), &metres("H", block.height));
+    if let Some(mass) = given(scene, Parameter::Mass) {
+        canvas.text((place.0, place.1 + 1.3 * FONT), style(FONT), &mass);
+    }
     let mut y = foot;
     let wider = 12.0;
     let plate = |canvas: &mut Canvas, y: f64, text: String| {
@@ -169,13 +172,15 @@ fn device(canvas: &mut Canvas, device: Device, place: Place) {
     }
 }
 
+/// The first value of a number that a scene has, with its symbol and its unit.
+fn given(scene: &Scene, one: Parameter) -> Option<String> {
+    let value = scene.numbers.get(one)?.iter().next()?;
+    Some(one.entry().written(rounded(value, 4)))
+}
+
 /// What the device of the horizontal direction is known by: its catalogue's numbers, where it has some, and its periods.
 fn moves(scene: &Scene, case: &Case) -> Vec<String> {
     let Some(law) = &case.isolation.horizontal else { return Vec::new() };
-    let given = |one: &Parameter| {
-        let value = scene.numbers.get(*one)?.iter().next()?;
-        Some(one.entry().written(rounded(value, 4)))
-    };
     let after = law.t_h / law.psi.sqrt();
     let after = |what: &str| match after.is_finite() {
         true => format!("T = {} s {what}", short(after)),
@@ -189,7 +194,7 @@ fn moves(scene: &Scene, case: &Case) -> Vec<String> {
             (&[Parameter::K1, Parameter::K2, Parameter::Qd], vec![t_h, after("yielded")])
         }
     };
-    numbers.iter().filter_map(given).chain(periods).collect()
+    numbers.iter().filter_map(|one| given(scene, *one)).chain(periods).collect()
 }
 
 fn metres(name: &str, value: f64) -> String {
@@ -202,7 +207,7 @@ fn short(value: f64) -> String {
 
 /// What the pictures show, and what of them is not to scale.
 pub const SHOWN: &str = "The block is drawn to scale; the plates, springs and devices of the base are symbols. B is half the width, H the height of the \
-    centre of mass C above the base: a block of even density is twice as high, as drawn.";
+    centre of mass C above the base, M the mass where it is known: a block of even density is twice as high, as drawn.";
 
 /// What a picture shows beside that.
 pub fn caption(scene: &Scene, case: &Case) -> String {
@@ -258,6 +263,16 @@ mod tests {
     fn words(scene: &Scene) -> String {
         let svg = draw(scene, &case(scene).unwrap());
         svg.split('<').filter_map(|piece| Some(piece.split_once('>')?.1)).collect()
+    }
+
+    #[test]
+    fn a_block_has_its_mass_where_the_scene_tells_it() {
+        // Of the paper's first block; the numbers of a block without plates need none.
+        assert!(words(&scene("t_h = 1.5")).contains("M = 895 kg"));
+        let text = "[block]\nhalf_width = 0.2\nheight = 1.0\n[base]\nisolation = \"none\"\n[pulse]\nomega = 5.0\na_h = 3.0\n";
+        let without = SceneBuilder::from_toml(text).unwrap().check().unwrap();
+        let told = words(&without);
+        assert!(told.contains("H = 1 m") && !told.contains(" kg"), "{told}");
     }
 
     #[test]

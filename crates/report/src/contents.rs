@@ -6,16 +6,23 @@ use topple::results::earlier::{Kind, RUN};
 use topple::scene::{Excitation, GRAVITY, Scene, shown, words};
 
 use super::document::{Document, Piece};
-use super::findings::{ROWS, number, percent};
 use super::folder::{Folder, ReportError};
-use super::{block, findings};
+use super::tables::{ROWS, number};
+use super::{block, findings, summary};
 
 /// The report of runs, under a title of theirs where none is given.
 ///
 /// # Errors
 /// [`ReportError`]: a file of a run that cannot be read.
 pub fn of(folders: &[Folder], asked: Option<&str>) -> Result<Document, ReportError> {
-    let mut pieces = vec![Piece::Heading(1, "What was asked".into())];
+    let mut pieces = vec![Piece::Heading(1, "In short".into())];
+    for folder in folders {
+        if folders.len() > 1 {
+            pieces.push(Piece::Heading(2, title(folder)));
+        }
+        pieces.push(Piece::List(summary::of(folder)?));
+    }
+    pieces.push(Piece::Heading(1, "What was asked".into()));
     let questions = folders.iter().map(|folder| match &folder.scene {
         Some(scene) => format!("{}: {}", title(folder), sentence(folder, scene)),
         None => format!("{}: {}", title(folder), findings::question(folder)),
@@ -32,7 +39,8 @@ pub fn of(folders: &[Folder], asked: Option<&str>) -> Result<Document, ReportErr
         pieces.extend(findings::of(folder)?);
     }
     pieces.push(Piece::Heading(1, "How far it was checked".into()));
-    let checks = folders.iter().map(|folder| format!("{}: {}", title(folder), checked(folder)));
+    let checks =
+        folders.iter().map(|folder| format!("{}: {}", title(folder), summary::checked(folder)));
     pieces.push(Piece::List(checks.collect()));
     pieces.extend(warnings(folders));
     pieces.push(Piece::Heading(1, "What the model leaves out".into()));
@@ -160,11 +168,15 @@ fn motions(folders: &[Folder]) -> Vec<Piece> {
                 let left_out = folder.run.get("left_out").and_then(Value::as_object);
                 let left_out = match left_out.map_or(0, |left_out| left_out.len()) {
                     0 => String::new(),
+                    1 => " One motion of it is left out.".to_string(),
                     count => format!(" {count} motions of it are left out."),
                 };
-                let turned = match folder.run.get("both_directions").and_then(Value::as_bool) {
-                    Some(true) => " Each is taken in both directions, as it is and turned round.",
-                    _ => "",
+                let turned = match folder.is_in_both_directions() {
+                    true => format!(
+                        " Each is taken in both directions, as it is and reversed: {} motions in all.",
+                        folder.motions()
+                    ),
+                    false => String::new(),
                 };
                 // A table names them, too.
                 let table = strengths(folder);
@@ -175,12 +187,7 @@ fn motions(folders: &[Folder]) -> Vec<Piece> {
                 if !table.iter().all(|piece| tables.contains(piece)) {
                     tables.extend(table);
                 }
-                // A run may name a motion and its reverse as two.
-                let files = folder.run.get("records").and_then(Value::as_object);
-                let count = match files.map(|files| files.len()) {
-                    Some(files) if !turned.is_empty() && all.len() == 2 * files => files,
-                    _ => all.len(),
-                };
+                let count = all.len();
                 format!("{count} motions of the suite {suite}{named}.{turned}{left_out}")
             }
             (None, Some(scene)) => shaking(scene),
@@ -261,41 +268,6 @@ fn shaking(scene: &Scene) -> String {
             };
             format!("the record {}: horizontal peak {}, {vertical}.", pair.title, peak(pair.pga_h))
         }
-    }
-}
-
-/// What a second calculation says of a run.
-fn checked(folder: &Folder) -> String {
-    let second = "A second, independent and slower calculation has repeated";
-    let count = |of: &Value, key: &str| of.get(key).and_then(Value::as_f64).unwrap_or(0.0);
-    let none = "nothing was calculated a second time.".to_string();
-    let repeated_of = |sampled: f64, differ: f64| match sampled {
-        0.0 => none.clone(),
-        _ => format!("{second} {sampled} of the calculations; the outcome differs in {differ}."),
-    };
-    match (folder.run.get("verification"), folder.run.get("verified")) {
-        (Some(of), _) if of.is_object() => {
-            let (sampled, differ) = (count(of, "sampled"), count(of, "differ"));
-            if sampled == 0.0 {
-                return none;
-            }
-            format!(
-                "{second} {sampled} of {} calculations; the outcome differs in {differ} ({}). {} of the repeated ones lie beside \
-                 another outcome, where outcomes are hardest to tell.",
-                folder.number("cells").unwrap_or(sampled),
-                percent(differ / sampled),
-                count(of, "beside_boundary")
-            )
-        }
-        (_, Some(of)) if of.is_object() => repeated_of(count(of, "sampled"), count(of, "differ")),
-        (_, Some(Value::Array(of))) => {
-            let of: Vec<f64> = of.iter().filter_map(Value::as_f64).collect();
-            match of[..] {
-                [sampled, differ] => repeated_of(sampled, differ),
-                _ => none,
-            }
-        }
-        _ => none,
     }
 }
 

@@ -3,28 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use topple::results::earlier::Kind;
-use topple::scene::record::rounded;
 use topple::scene::words;
-use topple_studies::suites::intensity::Intensity;
 
 use super::document::Piece;
 use super::folder::{Folder, ReportError, Rows};
-
-/// Most rows of a table that are printed; the whole table lies in the run's directory.
-pub const ROWS: usize = 24;
-
-/// A number for readers: three digits.
-pub fn number(value: f64) -> String {
-    rounded(value, 3).to_string()
-}
-
-/// A share as a percentage.
-pub fn percent(share: f64) -> String {
-    match 100.0 * share {
-        some if some > 0.0 && some < 0.1 => "less than 0.1 %".into(),
-        share => format!("{share:.1} %"),
-    }
-}
+use super::fragility;
+use super::tables::{ROWS, more, number, percent, shown, table};
 
 /// What a picture shows, by its name and the kind of the run.
 fn meaning(kind: Kind, name: &str) -> &'static str {
@@ -92,10 +76,10 @@ pub fn question(folder: &Folder) -> String {
 pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
     let mut pieces = match folder.kind {
         Kind::Map => outcomes(folder),
-        Kind::History => history(folder),
+        Kind::History => vec![Piece::Text(motion(folder))],
         Kind::Suite => suite(folder)?,
         Kind::Envelope => envelope(folder)?,
-        Kind::Fragility => fragility(folder)?,
+        Kind::Fragility => fragility::of(folder)?,
         Kind::Comparison => comparison(folder)?,
         Kind::Probability => probability(folder),
     };
@@ -120,26 +104,29 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
 const AS_BEFORE: &str = "The same as the picture before, with the numbers that stand above it.";
 
 /// What an outcome is, in words.
-fn outcome(key: &str) -> &str {
+pub fn outcome(key: &str) -> &str {
     match key {
         "full_contact" => "stays in full contact with its base",
         "rocking" => "rocks and stays standing",
         "overturned_left" => "overturns about the left corner",
         "overturned_right" => "overturns about the right corner",
-        "unresolved" => "not decided by the calculation",
+        "unresolved" => "has an outcome that is not decided",
         other => other,
     }
+}
+
+/// What becomes of the block in a map of a single cell.
+pub fn single(folder: &Folder) -> Option<String> {
+    let counts = folder.run.get("outcomes").and_then(|of| of.as_object());
+    let (key, _) = counts?.iter().find(|(_, count)| count.as_f64() == Some(1.0))?;
+    Some(format!("The run has one calculation. The block {}.", outcome(key)))
 }
 
 fn outcomes(folder: &Folder) -> Vec<Piece> {
     let cells = folder.number("cells").unwrap_or(0.0).max(1.0);
     let counts = folder.run.get("outcomes").and_then(|of| of.as_object());
-    let single = counts.into_iter().flatten().find(|(_, count)| count.as_f64() == Some(1.0));
-    if let (1.0, Some((key, _))) = (cells, single) {
-        return vec![Piece::Text(format!(
-            "The run has one calculation. The block {}.",
-            outcome(key)
-        ))];
+    if let (1.0, Some(text)) = (cells, single(folder)) {
+        return vec![Piece::Text(text)];
     }
     let mut pieces = vec![Piece::Text(format!("The run has {cells} calculations."))];
     let rows = counts.into_iter().flatten().filter_map(|(key, count)| {
@@ -161,7 +148,8 @@ fn outcomes(folder: &Folder) -> Vec<Piece> {
     pieces
 }
 
-fn history(folder: &Folder) -> Vec<Piece> {
+/// What a single motion does, in sentences.
+pub fn motion(folder: &Folder) -> String {
     let of = |key: &str| folder.run.get("outcome").and_then(|outcome| outcome.get(key));
     let value = |key: &str| of(key).and_then(|value| value.as_f64());
     let class = of("class").and_then(|class| class.as_str()).unwrap_or_default();
@@ -176,32 +164,7 @@ fn history(folder: &Folder) -> Vec<Piece> {
             text += &format!("{before} {}{after}", number(value));
         }
     }
-    vec![Piece::Text(text)]
-}
-
-/// A cell of a table as a reader wants it: numbers with three digits.
-fn shown(row: &BTreeMap<String, String>, column: &str) -> String {
-    let Some(text) = row.get(column).filter(|text| !text.is_empty()) else { return "–".into() };
-    text.parse().map_or_else(|_| text.clone(), number)
-}
-
-/// That a table has more rows than are shown.
-fn more(rows: &Rows) -> Option<Piece> {
-    let text =
-        || format!("The first {ROWS} of {} rows; all are in the run's directory.", rows.len());
-    (rows.len() > ROWS).then(|| Piece::Text(text()))
-}
-
-/// Columns of a table under names of their own, no more than [`ROWS`] rows of it.
-fn table(rows: &Rows, columns: &[(&str, &str)]) -> Vec<Piece> {
-    let there = |column: &str| rows.first().is_some_and(|row| row.contains_key(column));
-    let columns: Vec<&(&str, &str)> = columns.iter().filter(|(column, _)| there(column)).collect();
-    let names = columns.iter().map(|(_, name)| name.to_string()).collect();
-    let some = rows.iter().take(ROWS);
-    let cells = some.map(|row| columns.iter().map(|(column, _)| shown(row, column)).collect());
-    let mut pieces = vec![Piece::Table(names, cells.collect())];
-    pieces.extend(more(rows));
-    pieces
+    text
 }
 
 fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
@@ -252,8 +215,9 @@ fn limits(folder: &Folder) -> String {
     text + "."
 }
 
-fn envelope(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
-    let motions = folder.run.get("motions").and_then(|all| all.as_array()).map_or(0, Vec::len);
+/// How many bases keep their limits, in sentences.
+pub fn kept(folder: &Folder) -> String {
+    let motions = folder.motions();
     let mut text = format!("{} Each base is tried under {motions} motions.", limits(folder));
     if let (Some(feasible), Some(cells)) = (folder.number("feasible"), folder.number("cells")) {
         text += &match cells {
@@ -262,7 +226,11 @@ fn envelope(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
             cells => format!(" {feasible} of {cells} bases keep all limits."),
         };
     }
-    let mut pieces = vec![Piece::Text(text)];
+    text
+}
+
+fn envelope(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
+    let mut pieces = vec![Piece::Text(kept(folder))];
     let rows = folder.table("envelope.csv")?.unwrap_or_default();
     if rows.len() == 1 {
         // The reserve of an envelope is in steps of its grid, and one cell has no neighbours.
@@ -342,100 +310,8 @@ fn comparison(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
     Ok(pieces)
 }
 
-fn fragility(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
-    let measure = folder.text("im").and_then(|text| text.parse::<Intensity>().ok());
-    let label = measure.map_or("the ground motion's strength".into(), Intensity::label);
-    let axes: Vec<(String, String)> = axes(folder);
-    let mut columns: Vec<(&str, &str)> =
-        axes.iter().map(|(key, name)| (key.as_str(), name.as_str())).collect();
-    columns.push(("limit_state", "the block fails by"));
-    let mut fits = columns.clone();
-    let median = format!("half fail at {label} (θ)");
-    fits.extend([
-        ("theta", median.as_str()),
-        ("theta_low", "95 %: from"),
-        ("theta_high", "to"),
-        ("beta", "spread (β)"),
-    ]);
-    let mut pieces = vec![Piece::Text(format!(
-        "The motions of the suite are scaled to levels of {label}. θ is the level at which half of the motions make the block fail, \
-         β how wide the step from none to all is."
-    ))];
-    let mut rows = folder.table("fits.csv")?.unwrap_or_default();
-    rows.iter_mut().for_each(in_words);
-    // The stripes use each level's count of failures; the other estimates are in the run's directory.
-    rows.retain(|row| row.get("estimator").is_none_or(|one| one == "stripes"));
-    let open = |row: &&mut BTreeMap<String, String>| {
-        row.get("beta").is_some_and(String::is_empty)
-            && row.get("theta").is_some_and(|theta| !theta.is_empty())
-    };
-    let mut is_about = false;
-    for row in rows.iter_mut().filter(open) {
-        let theta = format!("about {}", shown(row, "theta"));
-        row.insert("theta".into(), theta);
-        row.insert("beta".into(), "not known".into());
-        is_about = true;
-    }
-    pieces.extend(table(&rows, &fits));
-    if is_about {
-        pieces.push(Piece::Text(
-            "About: at most one level has motions that fail beside motions that do not, so that β is not known and θ lies somewhere \
-             between the levels around it. More levels there would tell both."
-                .into(),
-        ));
-    }
-    if rows.iter().any(|row| row.get("theta").is_some_and(String::is_empty)) {
-        pieces.push(Piece::Text("–: the motions tell no curve, or no end of its interval.".into()));
-    }
-    let notes = folder.run.get("notes").and_then(|notes| notes.as_array()).into_iter().flatten();
-    let notes = notes.filter_map(|note| note.as_str()).filter(|note| note.contains(", stripes: "));
-    let notes: Vec<String> = notes.map(|note| note.replacen(", stripes: ", ": ", 1)).collect();
-    if !notes.is_empty() {
-        pieces.push(Piece::List(notes));
-    }
-    if let Some(mut rows) = folder.table("rates.csv")? {
-        rows.iter_mut().for_each(in_words);
-        rows.retain(|row| row.get("estimator").is_none_or(|one| one == "stripes"));
-        let mut rates = columns;
-        rates.extend([
-            ("rate", "so often a year"),
-            ("rate_low", "95 %: from"),
-            ("rate_high", "to"),
-            ("in_50_years", "probability in 50 years"),
-            ("rate_empirical", "a year, by counted motions alone"),
-            ("share_without_failures", "share from levels without a failure"),
-        ]);
-        pieces.push(Piece::Text(
-            "Together with the hazard of the site, which says how often a year such ground motions come, this is how often the block is \
-             expected to fail. Where a large share comes from levels at which no motion fails, the rate rests on the shape of a curve, \
-             not on a calculation."
-                .into(),
-        ));
-        pieces.extend(table(&rows, &rates));
-    }
-    Ok(pieces)
-}
-
-/// Puts the limit state of a row in words.
-fn in_words(row: &mut BTreeMap<String, String>) {
-    let Some(state) = row.get_mut("limit_state") else { return };
-    let words = [
-        ("zeta>", "ζ above ", ""),
-        ("max_u>", "|u| above ", " m"),
-        ("stroke_v>", "a stroke of v above ", " m"),
-    ];
-    if let Some((key, words, unit)) = words.into_iter().find(|(key, ..)| state.starts_with(*key)) {
-        *state = format!("{words}{}{unit}", &state[key.len()..]);
-    }
-}
-
-/// The axes of a run, by their keys, and how they are labelled.
-fn axes(folder: &Folder) -> Vec<(String, String)> {
-    let swept = folder.scene.as_ref().map(|scene| scene.swept()).unwrap_or_default();
-    swept.into_iter().map(|one| (one.key().to_string(), one.entry().label())).collect()
-}
-
-fn probability(folder: &Folder) -> Vec<Piece> {
+/// How likely a map of unknown numbers has overturning, in sentences.
+pub fn probable(folder: &Folder) -> String {
     let mut text = String::from(
         "Some numbers are not known exactly; each point of the map is calculated with many values of them",
     );
@@ -449,10 +325,14 @@ fn probability(folder: &Folder) -> Vec<Piece> {
             percent(mean)
         );
     }
+    text
+}
+
+fn probability(folder: &Folder) -> Vec<Piece> {
     let varied = folder.run.get("vary").and_then(|vary| vary.as_array());
     let varied: Vec<String> =
         varied.into_iter().flatten().filter_map(|one| one.as_str().map(String::from)).collect();
-    let mut pieces = vec![Piece::Text(text)];
+    let mut pieces = vec![Piece::Text(probable(folder))];
     if !varied.is_empty() {
         pieces.push(Piece::Code(varied));
     }

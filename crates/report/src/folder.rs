@@ -76,6 +76,14 @@ impl Folder {
     /// [`ReportError`]: no run, or one that lacks a file.
     pub fn read(path: &Path) -> Result<Folder, ReportError> {
         let none = |why: String| ReportError::NoRun(path.into(), why);
+        // Its run.json stands for the directory.
+        let is_run = path.file_name().is_some_and(|name| name == RUN) && path.is_file();
+        let path = match path.parent().filter(|_| is_run) {
+            Some(place) if place.as_os_str().is_empty() => Path::new("."),
+            Some(place) => place,
+            None if path.is_file() => return Err(none("it is a file".into())),
+            None => path,
+        };
         let text = bounded::text(&path.join(RUN), bounded::DOCUMENT)
             .map_err(|error| none(format!("{RUN}: {error}")))?;
         let read = || -> serde_json::Result<(Written, Value)> {
@@ -139,6 +147,17 @@ impl Folder {
         });
         let of_devices: Vec<Scene> = of_devices.collect();
         if of_devices.is_empty() { self.scene.iter().cloned().collect() } else { of_devices }
+    }
+
+    /// How many motions a run has, each direction of one counted.
+    pub fn motions(&self) -> usize {
+        let all = self.run.get("motions").and_then(Value::as_array).map_or(0, Vec::len);
+        all * if self.is_in_both_directions() { 2 } else { 1 }
+    }
+
+    /// True where each motion of the suite is taken as it is and reversed.
+    pub fn is_in_both_directions(&self) -> bool {
+        self.run.get("both_directions").and_then(Value::as_bool) == Some(true)
     }
 
     /// A number of run.json.

@@ -2,7 +2,7 @@
 //! code. All of it comes from the files of the runs.
 //!
 //! ```text
-//! folder -> document -> block -> findings -> contents -> html, print -> file
+//! folder -> document -> tables -> block -> fragility -> findings -> summary -> contents -> html, print -> file
 //! ```
 
 mod block;
@@ -11,8 +11,11 @@ mod document;
 mod file;
 mod findings;
 mod folder;
+mod fragility;
 mod html;
 mod print;
+mod summary;
+mod tables;
 
 pub use file::write;
 use folder::Folder;

@@ -58,6 +58,14 @@ fn a_row_is_the_envelope_of_the_device_alone() {
     let common = ["compare", &devices, "--object", "1", "--suite", &suite, "--out", &to];
     topple(&[&common[..], &limits, &["--columns", "zeta,impacts"]].concat()).success();
     assert_eq!(names(&out), ["compare.csv", "compare.png", "compare.svg", "run.json"]);
+    // Each bar has an edge: full contact is nearly white in greys.
+    let svg = fs::read_to_string(out.join("compare.svg")).unwrap();
+    let bars = svg.lines().filter(|line| line.contains(" height=\"8\" fill=\"#"));
+    let bars: Vec<&str> = bars.map(|line| line.split(" fill=").next().unwrap()).collect();
+    assert!(bars.len() > 3);
+    for bar in bars {
+        assert!(svg.contains(&format!("{bar} fill=\"none\" stroke=\"#000000\"")), "{bar}");
+    }
     let head = fs::read_to_string(out.join("compare.csv")).unwrap();
     // The contract's columns come first, then what else is asked.
     let contract = "device,records,standing,lifted,max_u_50,max_u_84,max_u_100,stroke_v_50,stroke_v_84,stroke_v_100,";

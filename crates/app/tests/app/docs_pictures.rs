@@ -157,6 +157,7 @@ const ALL: [Drawn; 18] = [
             ("docs/explore.png", "explore.png"),
             ("docs/explore-dark.png", "explore-dark.png"),
             ("docs/explore.gif", "explore.gif"),
+            ("crates/explore/src/page/icon.png", "icon.png"),
         ],
         script: "python3 $ROOT/benches/explore/pictures.py .",
     },
@@ -197,6 +198,9 @@ fn what_draws_each_picture_is_known() {
     let mut found = BTreeSet::new();
     pictures(&root().join("docs"), &mut found);
     pictures(&root().join("python/examples"), &mut found);
+    pictures(&root().join("crates/explore/src/page"), &mut found);
+    // What the icon's PNG is made of.
+    assert!(found.remove("crates/explore/src/page/icon.svg"));
     let known = ALL.iter().flat_map(|drawn| drawn.pictures).map(|(place, _)| place.to_string());
     assert_eq!(known.collect::<BTreeSet<_>>(), found);
     // The command of a page that is drawn as it stands is the one that draws its picture.

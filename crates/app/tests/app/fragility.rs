@@ -371,6 +371,28 @@ fn a_rate_over_a_power_law() {
     assert!(shown > 0);
 }
 
+/// Of several estimators a run says which one to use, and prints its rates alone; `rates.csv` has all.
+#[test]
+fn one_of_several_estimators_is_the_one_to_use() {
+    let (place, list) = suite();
+    let (hazard, path) = within(&place, "site.csv");
+    fs::write(&hazard, "PGA [m/s2],rate\n0.5,0.05\n4,0.0012\n30,1e-6\n").unwrap();
+    let asked = ["--levels", "1:16:12:log", "--t-h", "1.5", "--t-v", "0.5", "--verify", "none"];
+    for (estimators, told) in [("stripes,ida", 1), ("ida,stripes", 1), ("stripes", 0)] {
+        let (out, to) = within(&place, estimators);
+        let site = ["--hazard", &path, "--estimator", estimators, "--bootstrap", "39"];
+        let common = ["fragility", "--suite", &list, "--out", &to];
+        let said = said(&topple(&[&common[..], &BASE, &asked, &site].concat()).success());
+        let first = estimators.split(',').next().unwrap();
+        assert_eq!(said.matches(&format!("use those by {first}, ")).count(), told, "{said}");
+        // Overturning and uplift.
+        assert_eq!(said.matches("annual rate").count(), 2, "{said}");
+        assert!(said.contains(" motions overturn it"), "{said}");
+        let each = estimators.split(',').count();
+        assert_eq!(rows(&out.join("rates.csv")).len(), 2 * each);
+    }
+}
+
 /// A part of a hazard curve that begins at a strong motion leaves failures out. What it leaves out has a bound, which
 /// counts against the target: no cell is below it by the part that is not by the whole.
 #[test]

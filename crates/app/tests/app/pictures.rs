@@ -538,6 +538,8 @@ fn spectra_are_the_least_values_that_lift_and_overturn() {
     {
         assert!(said.contains(part), "{part}: {said}");
     }
+    // Where both least values are the same, one line shows between the dashes of the other.
+    assert!(svg.contains("stroke-dasharray=\"4 2.4\""), "{svg}");
     topple(&["run", at("map").to_str().unwrap()], &at("again"));
     assert_eq!(fs::read_to_string(at("again").join("spectrum.csv")).unwrap(), spectrum);
     let line = [&MAP[..9], &["--omega", "5", "--a-h", "0.1:15:9", "--spectrum"]].concat();

@@ -67,7 +67,8 @@ fn a_pdf_has_pages_and_the_same_runs_make_the_same_bytes() {
     let place = TempDir::new().unwrap();
     map(&place, "map");
     topple(&place, &["report", "map", "--out", "one.pdf"]).success();
-    topple(&place, &["report", "map", "--out", "two.pdf"]).success();
+    // The file stands for its directory.
+    topple(&place, &["report", "map/run.json", "--out", "two.pdf"]).success();
     let bytes = fs::read(place.path().join("one.pdf")).unwrap();
     assert!(bytes.starts_with(b"%PDF-") && bytes.trim_ascii_end().ends_with(b"%%EOF"));
     let text = String::from_utf8_lossy(&bytes);
@@ -137,6 +138,9 @@ fn what_is_no_run_and_what_is_in_the_way_is_refused() {
     let (map, html) = (at("map").display().to_string(), at("report.html").display().to_string());
     let said = refused(&["report", "nowhere", "--out", &html]);
     assert!(said.contains("no results of topple"), "{said}");
+    let table = at("map/map.csv").display().to_string();
+    let said = refused(&["report", &table, "--out", &html]);
+    assert!(said.contains("it is a file; give the directory"), "{said}");
     let text = at("report.txt").display().to_string();
     assert!(refused(&["report", &map, "--out", &text]).contains(".html or .pdf"));
     for (name, other) in [("report.html", "<html>mine</html>"), ("report.pdf", "%PDF-1.7 mine")] {
@@ -222,6 +226,88 @@ fn devices_stand_beside_each_other_and_a_file_is_told_once() {
     }
 }
 
+/// A summary comes first; the site's hazard and the accepted rate are shown, and the estimator is that of the run.
+#[test]
+fn a_fragility_begins_in_short_and_shows_its_hazard() {
+    let (place, records) = suite();
+    fs::write(place.path().join("site.csv"), "PGA [m/s2],rate\n0.5,0.05\n4,0.0012\n16,1e-5\n")
+        .unwrap();
+    let statue =
+        ["--object", "1", "--t-h", "1.2", "--t-v", "0.4", "--u-y", "0.01", "--backend", "cpu"];
+    let rate = ["--levels", "1:40:9:log", "--hazard", "site.csv", "--target", "0.0004"];
+    for by in ["stripes", "ida"] {
+        let by = ["--estimator", by, "--out", by];
+        topple(&place, &[&["fragility", "--suite", &records][..], &statue, &rate, &by].concat())
+            .success();
+        let name = format!("{}.html", by[1]);
+        topple(&place, &["report", by[1], "--out", &name]).success();
+        let page = read(&place.path().join(&name));
+        let at = |text: &str| page.find(text).unwrap_or_else(|| panic!("{text}: {page}"));
+        assert!(at("<h2>In short</h2>") < at("<h2>What was asked</h2>"));
+        // Three digits of what the tables have, in the summary and in the tables of the report.
+        let of = |file: &str, column: &str| {
+            let table = read(&place.path().join(by[1]).join(file));
+            let head = table.lines().next().unwrap().split(',').position(|own| own == column);
+            let row = table.lines().nth(1).unwrap();
+            assert!(row.contains("overturning"), "{row}");
+            let value = row.split(',').nth(head.unwrap()).unwrap().parse().unwrap();
+            topple::scene::record::rounded(value, 3)
+        };
+        let (theta, rate) = (of("fits.csv", "theta"), of("rates.csv", "rate"));
+        at(&format!("overturn the block at PGA = {theta} m/s² (95 %: "));
+        at(&format!("it overturns {rate} times a year"));
+        for cell in [theta, rate] {
+            at(&format!("<td>{cell}</td>"));
+        }
+        let keeps = of("rates.csv", "below_target") == 1.0;
+        at(if keeps {
+            "This keeps the accepted rate, 0.0004 a year"
+        } else {
+            "This exceeds, or may exceed, the accepted rate"
+        });
+        at("<th>keeps the accepted rate, 0.0004 a year</th>");
+        at("The hazard of the site, site.csv");
+        // The block, the hazard and the curves.
+        assert_eq!(page.matches("data:image/svg+xml;base64,").count(), 3);
+        let json = read(&place.path().join(by[1]).join("run.json"));
+        let run: serde_json::Value = serde_json::from_str(&json).unwrap();
+        let curve = serde_json::json!([[0.5, 0.05], [4.0, 0.0012], [16.0, 0.00001]]);
+        assert_eq!(run["hazard_curve"], curve);
+    }
+}
+
+/// Both commands name a motion once, and say that it is taken in both directions.
+#[test]
+fn a_motion_in_both_directions_is_named_once_by_every_command() {
+    let (place, records) = suite();
+    fs::write(place.path().join("devices.csv"), "device,isolation\nfloor,none\n").unwrap();
+    let common =
+        ["--suite", &records, "--object", "1", "--eccentricity", "0.2", "--backend", "cpu"];
+    let common = [&common[..], &["--both-directions", "--verify", "none"]].concat();
+    let base = ["--t-h", "1.2", "--t-v", "0.4", "--u-y", "0.01"];
+    topple(&place, &[&["compare", "devices.csv", "--out", "compare"][..], &common].concat())
+        .success();
+    for command in [&["fragility", "--levels", "2,4"][..], &["envelope"]] {
+        let out = ["--out", command[0]];
+        topple(&place, &[command, &common, &base, &out].concat()).success();
+    }
+    for name in ["compare", "fragility", "envelope"] {
+        let json = read(&place.path().join(name).join("run.json"));
+        let run: serde_json::Value = serde_json::from_str(&json).unwrap();
+        let ids = read(Path::new(&records));
+        let ids: Vec<&str> =
+            ids.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
+        assert_eq!(
+            (&run["motions"], &run["both_directions"]),
+            (&serde_json::json!(ids), &true.into())
+        );
+        topple(&place, &["report", name, "--out", "report.html"]).success();
+        let page = read(&place.path().join("report.html"));
+        let all = format!("as it is and reversed: {} motions in all", 2 * ids.len());
+        assert!(page.contains(&all), "{name}: {page}");
+    }
+}
+
 #[test]
 fn fits_are_told_with_why_they_are_open_and_motions_in_both_directions() {
     let (place, records) = suite();
@@ -231,7 +317,6 @@ fn fits_are_told_with_why_they_are_open_and_motions_in_both_directions() {
     topple(&place, &[&["fragility", "--suite", &records][..], &statue, &levels].concat()).success();
     topple(&place, &["report", "low", "--out", "report.html"]).success();
     let page = read(&place.path().join("report.html"));
-    // A run under both directions names each motion twice.
     let count = read(Path::new(&records)).lines().count() - 1;
     assert!(page.contains(&format!("{count} motions of the suite")), "{page}");
     assert!(page.contains("Each is taken in both directions"), "{page}");

@@ -149,6 +149,8 @@ function showNotice({ about, can }, store) {
   byId('notice').replaceChildren(make('p', {}, about.notice ?? ''));
   if (can.compute) return;
   for (const part of document.querySelectorAll('#sections, #shaken, #precision')) part.inert = true;
+  // Nothing in it takes the focus, so that the keyboard scrolls the panel itself.
+  document.querySelector('.panel').tabIndex = 0;
   const show = (scene) => {
     const none = Object.fromEntries(Object.keys(store.state.scene).map((key) => [key, '']));
     store.change({ scene: { ...none, ...scene }, show: '', cell: null, cell2: null, line: null });

@@ -1,5 +1,6 @@
 """A server of `topple explore`, a browser, and a page whose errors fail its test."""
 
+import importlib.util
 import os
 import re
 import shutil
@@ -74,6 +75,26 @@ def browser(driver):
     launched = driver.chromium.launch(executable_path=path, args=["--no-sandbox", "--headless=new"])
     yield launched
     launched.close()
+
+
+# What axe finds of a page, each with the first elements that it is of.
+FOUND = """async () => (await axe.run()).violations.map(
+  ({ id, nodes }) => [id, nodes.slice(0, 4).map((node) => node.html.slice(0, 160))])"""
+
+
+@pytest.fixture(scope="session")
+def axe():
+    """What axe-core finds of a page, which must not forbid scripts of others: of the Python package that carries it."""
+    package = importlib.util.find_spec("axe_playwright_python")
+    if package is None:
+        pytest.skip("no axe-core: pip install axe-playwright-python")
+    script = Path(package.submodule_search_locations[0]) / "axe.min.js"
+
+    def found(page):
+        page.add_script_tag(path=script)
+        return page.evaluate(FOUND)
+
+    return found
 
 
 class Page:

@@ -606,3 +606,15 @@ def test_an_exported_page_that_is_opened_as_a_file_says_what_to_do(plain):
     page.wait_for_timeout(4500)
     assert page.locator("#unopened").is_visible() and "python -m http.server" in page.inner_text("#unopened")
     page.close()
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+@pytest.mark.parametrize("width", [390, 1280])
+def test_axe_finds_nothing_in_an_exported_page(plain, address, axe, scheme, width):
+    context = plain.new_context(viewport={"width": width, "height": 800}, color_scheme=scheme, bypass_csp=True)
+    page = context.new_page()
+    page.goto(address)
+    page.wait_for_selector("#map[data-stage=stored]")
+    page.evaluate("() => document.querySelectorAll('details').forEach((details) => { details.open = true; })")
+    assert axe(page) == []
+    context.close()

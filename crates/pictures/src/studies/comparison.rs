@@ -26,6 +26,8 @@ const BAR: f64 = 8.0;
 const GAP: f64 = 12.0;
 /// From the least to the largest of a device's strokes.
 const SPAN: Stroke = stroke(CURVES[0], 0.9);
+/// Around a bar: in greys the lightest one is that of the paper.
+const EDGE: Stroke = stroke(BLACK, 0.4);
 /// The marks of the percentiles.
 const MARKS: [Mark; 3] = [Mark::Circle, Mark::Triangle, Mark::Disc];
 const LIMIT_U: Stroke = dashed(LIMITS[0], 0.9, (3.2, 2.0));
@@ -120,7 +122,11 @@ fn paint(canvas: &mut Canvas, comparison: &Comparison, panel: &Panel, place: Pla
     let bar = |canvas: &mut Canvas, row: usize, (from, to): (f64, f64), colour: Colour| {
         let y = place.y + ROW * (row as f64 + 0.5) - 0.5 * BAR;
         let (x, width) = (across(from), across(to) - across(from));
-        canvas.fill(Place { x, y, width, height: BAR }, colour);
+        // Nothing has no edge.
+        if width > 0.0 {
+            canvas.fill(Place { x, y, width, height: BAR }, colour);
+            canvas.outline(Place { x, y, width, height: BAR }, EDGE);
+        }
     };
     canvas.clipped(place, |canvas| {
         for (row, device) in rows.iter().enumerate() {

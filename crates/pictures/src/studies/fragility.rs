@@ -268,7 +268,7 @@ pub fn maps(
     }
     let mut entries: Vec<Entry> = Vec::new();
     if fits().any(|fit| fit.theta.is_none() || fit.beta.is_none()) {
-        let text = "white: no number (separable, or no record fails)";
+        let text = "white: no number (separable, or no motion fails)";
         entries.push(entry(Swatch::Fill([255, 255, 255]), text));
     }
     if let Some((_, target)) = target {

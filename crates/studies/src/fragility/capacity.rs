@@ -24,7 +24,7 @@ impl Capacity {
 }
 
 /// The share, by weight, of the records that fail at all which stand again above their lowest failing level; none where
-/// no record fails.
+/// no motion fails.
 pub fn share_that_stands_again(records: &[RecordRuns]) -> Option<f64> {
     let (mut fail, mut again) = (0.0, 0.0);
     for record in weighed(records) {

@@ -78,7 +78,7 @@ pub enum Note {
     Separable(Gap),
     /// Failures do not become more likely with the level.
     NotIncreasing,
-    /// Fewer than two records fail.
+    /// Fewer than two motions fail.
     TooFewFailed,
     /// Too few runs that stand have a demand.
     TooFewDemands,
@@ -119,13 +119,13 @@ impl fmt::Display for Note {
             }
             Note::OneLevel => write!(out, "all runs are at one level; more levels tell a curve"),
             Note::NotIncreasing => write!(out, "the probability does not rise with the level"),
-            Note::TooFewFailed => write!(out, "fewer than two records fail"),
+            Note::TooFewFailed => write!(out, "fewer than two motions fail"),
             Note::TooFewDemands => write!(
                 out,
                 "fewer than three runs that stand have a demand, or all of them are at one level"
             ),
             Note::WithoutFit { count, of } => {
-                write!(out, "{count} of {of} resampled sets of records have no curve")
+                write!(out, "{count} of {of} resampled sets have no curve")
             }
         }
     }

@@ -60,7 +60,7 @@ pub enum Fit {
     Separable(Gap),
     /// Failures do not become more likely with the level, or by so little that theta is beyond what numbers hold.
     NotIncreasing,
-    /// Fewer than two records fail: their capacities have no deviation.
+    /// Fewer than two motions fail: their capacities have no deviation.
     TooFewFailed,
     /// Fewer than three runs that stand have a demand above zero, or all of them are at one level.
     TooFewDemands,

@@ -4,6 +4,7 @@ use super::fit::Lognormal;
 use super::hazard_error::HazardError;
 use super::hazard_segment::segment;
 use crate::statistics::normal;
+use topple::scene::record::rounded;
 
 /// Largest file of a hazard curve that is read, bytes.
 pub const LARGEST: u64 = 16 << 20;
@@ -88,6 +89,12 @@ impl HazardCurve {
     /// True where its first level is not above a level.
     pub fn begins_below(&self, level: f64) -> bool {
         self.points[0][0] <= level.ln()
+    }
+
+    /// Its points by ascending level: the level and its annual rate.
+    pub fn points(&self) -> Vec<[f64; 2]> {
+        // Twelve digits: of a number that went through its logarithm the last ones are noise.
+        self.points.iter().map(|point| point.map(|value| rounded(value.exp(), 12))).collect()
     }
 
     /// The levels of its ends.

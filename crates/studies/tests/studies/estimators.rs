@@ -186,7 +186,7 @@ fn every_fit_without_a_curve_says_why() {
     assert!(said.beta.is_some() && said.without_fit > 60 && said.without_fit < 200, "{said:?}");
     assert_eq!(
         said.note.unwrap().to_string(),
-        format!("{} of 200 resampled sets of records have no curve", said.without_fit)
+        format!("{} of 200 resampled sets have no curve", said.without_fit)
     );
 
     let said = of(Estimator::Stripes, &[&both, &both, &both]);

@@ -27,6 +27,10 @@ const APART: f64 = 9.0;
 /// Values of the second axis at which the rocking index is drawn, at most, each with its own line.
 const VALUES: usize = 5;
 
+/// The lines of the least values.
+const LIFTS: Stroke = stroke(STATES[1].0, 1.1);
+const OVERTURNS: Stroke = dashed(STATES[0].0, 1.1, (4.0, 2.4));
+
 fn line_of(number: usize) -> Stroke {
     match number {
         0 => stroke(BLACK, 0.5),
@@ -62,23 +66,24 @@ pub fn draw(map: &Map, print: Print) -> Result<Option<String>, FigureError> {
     let frame = Frame::new(place, Axis::of(Some(x_axis)), Axis::of(Some(y_axis)));
     let shows_index = map.columns.has(FIELDS[0].column);
     let mut entries: Vec<Entry> = Vec::new();
+    // Where both are the same, the lower line shows between the dashes of the upper one.
     let curves = [
-        (&spectrum.overturns, STATES[0].0, "overturns from here on; above it may stand again"),
-        (&spectrum.lifts, STATES[1].0, "lifts from here on"),
+        (&spectrum.lifts, LIFTS, "lifts from here on"),
+        (&spectrum.overturns, OVERTURNS, "overturns from here on; above it may stand again"),
     ];
     canvas.clipped(place, |canvas| {
-        for (least, colour, _) in &curves {
+        for (least, line, _) in &curves {
             let point = |(column, row): (usize, &Option<usize>)| -> Option<Point> {
                 let at = |values: &Values, place: usize| values.coordinate(place as f64);
                 Some(frame.at((at(&x_axis.values, column), at(&y_axis.values, (*row)?))))
             };
             let points: Vec<Option<Point>> = least.iter().enumerate().map(point).collect();
-            parts(canvas, &points, stroke(*colour, 1.1));
+            parts(canvas, &points, *line);
         }
     });
-    for (least, colour, text) in curves {
+    for (least, line, text) in curves {
         if least.iter().any(Option::is_some) {
-            entries.push(entry(Swatch::Line(stroke(colour, 1.1)), text));
+            entries.push(entry(Swatch::Line(line), text));
         }
     }
     frame.draw(&mut canvas, Written { x: !shows_index, ..BOTH });

@@ -1,0 +1,285 @@
+//! What a fragility found: its curves, the hazard of its site, how often the block fails.
+
+use std::collections::BTreeMap;
+
+use topple_pictures::drawing::render;
+use topple_pictures::studies::hazard;
+use topple_studies::suites::intensity::Intensity;
+
+use super::document::Piece;
+use super::folder::{Folder, ReportError, Rows};
+use super::tables::{number, percent, shown, table};
+
+/// The estimator whose curves are drawn and told: the first of the run.
+fn estimator(folder: &Folder) -> &str {
+    let all = folder.run.get("estimators").and_then(|all| all.as_array());
+    all.and_then(|all| all.first()?.as_str()).unwrap_or("stripes")
+}
+
+/// The rows of a table that are of this estimator.
+fn rows(folder: &Folder, name: &str) -> Result<Option<Rows>, ReportError> {
+    let by = estimator(folder);
+    let own = |mut rows: Rows| {
+        rows.retain(|row| row.get("estimator").is_none_or(|one| one == by));
+        rows.iter_mut().for_each(in_words);
+        rows
+    };
+    Ok(folder.table(name)?.map(own))
+}
+
+/// The measure of the levels.
+fn measure(folder: &Folder) -> Option<Intensity> {
+    folder.text("im").and_then(|text| text.parse().ok())
+}
+
+/// The same, as axes are labelled.
+fn label(folder: &Folder) -> String {
+    measure(folder).map_or("the ground motion's strength".into(), Intensity::label)
+}
+
+/// What is found of overturning, in sentences: of one block or base its median and its rate, of several how many have which.
+///
+/// # Errors
+/// [`ReportError::File`]: a table that cannot be read.
+pub fn shortly(folder: &Folder) -> Result<Vec<String>, ReportError> {
+    let overturning = |rows: Option<Rows>| {
+        let rows = rows.into_iter().flatten();
+        rows.filter(|row| row.get("limit_state").is_some_and(|state| state == "overturning"))
+            .collect::<Rows>()
+    };
+    let fits = overturning(rows(folder, "fits.csv")?);
+    let rates = overturning(rows(folder, "rates.csv")?);
+    let symbol = measure(folder).map_or("level".into(), Intensity::symbol);
+    let unit = measure(folder).map_or("1", Intensity::unit);
+    let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
+    let mut told = Vec::new();
+    let known: Vec<f64> = fits.iter().filter_map(|row| row.get("theta")?.parse().ok()).collect();
+    let (least, most) = known.iter().fold((f64::MAX, 0.0_f64), |(a, b), x| (a.min(*x), b.max(*x)));
+    told.push(match (&fits[..], known.is_empty()) {
+        (_, true) => "The motions tell no curve of overturning.".into(),
+        ([one], _) => format!(
+            "Half of the motions overturn the block at {symbol} = {}{unit}{}.",
+            shown(one, "theta"),
+            within(one, "theta")
+        ),
+        (all, _) => format!(
+            "Half of the motions overturn the block at {symbol} = {} to {}{unit}; {} of {} cells of the grid have such a median.",
+            number(least),
+            number(most),
+            known.len(),
+            all.len()
+        ),
+    });
+    let target = folder.number("target");
+    if let [one] = &rates[..] {
+        if one.get("rate").is_some_and(|rate| !rate.is_empty()) {
+            told.push(format!(
+                "At this site it overturns {} times a year{}, with a probability of {} in 50 years.",
+                shown(one, "rate"),
+                within(one, "rate"),
+                one.get("in_50_years").and_then(|text| text.parse().ok()).map_or("–".into(), percent)
+            ));
+        } else {
+            told.push("How often it overturns at this site is not known.".into());
+        }
+        if let (Some(target), Some(judged)) = (target, judged(one)) {
+            told.push(format!("{judged} the accepted rate, {} a year.", number(target)));
+        }
+    } else if let Some(target) = target.filter(|_| !rates.is_empty()) {
+        let keep = rates.iter().filter(|row| row.get("below_target").is_some_and(|is| is == "1"));
+        let (keep, of) = (keep.count(), rates.len());
+        let target = number(target);
+        told.push(format!(
+            "{keep} of {of} cells keep the accepted rate of overturning, {target} a year."
+        ));
+    }
+    Ok(told)
+}
+
+/// Of a row an interval behind its number; nothing where both of its ends are open.
+fn within(row: &BTreeMap<String, String>, name: &str) -> String {
+    let end = |end: &str| {
+        let column = format!("{name}_{end}");
+        row.get(&column).filter(|text| !text.is_empty()).map(|_| shown(row, &column))
+    };
+    match (end("low"), end("high")) {
+        (Some(low), Some(high)) => format!(" (95 %: {low} to {high})"),
+        (Some(low), None) => format!(" (95 %: above {low})"),
+        (None, Some(high)) => format!(" (95 %: below {high})"),
+        (None, None) => String::new(),
+    }
+}
+
+/// Whether a rate keeps the target, with all that may be missing at the ends of the hazard curve.
+fn judged(row: &BTreeMap<String, String>) -> Option<&'static str> {
+    match row.get("below_target")?.as_str() {
+        "1" => Some("This keeps"),
+        "0" => Some("This exceeds, or may exceed,"),
+        _ => None,
+    }
+}
+
+/// How sure the curves are, in sentences.
+///
+/// # Errors
+/// [`ReportError::File`]: a table that cannot be read.
+pub fn sureness(folder: &Folder) -> Result<Vec<String>, ReportError> {
+    let mut told = Vec::new();
+    if let (Some(count), Some(by)) = (folder.number("groups"), folder.text("resample")) {
+        told.push(format!(
+            "The intervals rest on {count} {by}s: they say how the answer changes with the choice of motions, not whether the model is right."
+        ));
+    }
+    let rates = rows(folder, "rates.csv")?.unwrap_or_default();
+    if let [one, ..] = &rates[..]
+        && rates.iter().all(|row| cell(folder, row) == cell(folder, one))
+        && let Some(share) = one.get("share_without_failures").and_then(|text| text.parse().ok())
+    {
+        told.push(format!(
+            "{} of the rate of overturning comes from levels at which no motion overturns it: from the shape of the curve, not from a calculation.",
+            percent(share)
+        ));
+    }
+    Ok(told)
+}
+
+/// Where a row lies on the axes of the run.
+fn cell<'a>(folder: &Folder, row: &'a BTreeMap<String, String>) -> Vec<Option<&'a String>> {
+    axes(folder).iter().map(|(key, _)| row.get(key)).collect()
+}
+
+/// The hazard of the site: its curve as a picture, and what the run was to keep.
+fn site(folder: &Folder, label: &str) -> Vec<Piece> {
+    let points = folder.run.get("hazard_curve").cloned();
+    let points = points.and_then(|of| serde_json::from_value::<Vec<[f64; 2]>>(of).ok());
+    let Some(points) = points else { return Vec::new() };
+    let Some(svg) = hazard::draw(&points, label, folder.number("target")) else {
+        return Vec::new();
+    };
+    let Ok(outlined) = render::outlined(&svg) else { return Vec::new() };
+    let mut text = format!(
+        "The hazard of the site, {}: how often a year the ground shakes more strongly than a level.",
+        folder.text("hazard").unwrap_or_default()
+    );
+    if let Some(target) = folder.number("target") {
+        text += &format!(
+            " The dashed line is the accepted rate of failure, {} a year: a block that fails exactly from the level on at which the line meets the curve has this rate.",
+            number(target)
+        );
+    }
+    vec![Piece::Picture(outlined, text)]
+}
+
+/// The pieces of a fragility.
+///
+/// # Errors
+/// [`ReportError::File`]: a table that cannot be read.
+pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
+    let (label, by) = (label(folder), estimator(folder));
+    let axes: Vec<(String, String)> = axes(folder);
+    let mut columns: Vec<(&str, &str)> =
+        axes.iter().map(|(key, name)| (key.as_str(), name.as_str())).collect();
+    columns.push(("limit_state", "the block fails by"));
+    let mut fits = columns.clone();
+    let median = format!("half fail at {label} (θ)");
+    fits.extend([
+        ("theta", median.as_str()),
+        ("theta_low", "95 %: from"),
+        ("theta_high", "to"),
+        ("beta", "spread (β)"),
+    ]);
+    let levels = match folder.run.get("levels").is_some_and(|levels| !levels.is_null()) {
+        true => format!("The motions of the suite are scaled to levels of {label}."),
+        false => format!(
+            "The motions of the suite are used as they are; {label} tells how strong each is."
+        ),
+    };
+    let mut pieces = vec![Piece::Text(format!(
+        "{levels} The curves are estimated by {by}. θ is the level at which half of the motions make the block fail, \
+         β how wide the step from none to all is."
+    ))];
+    // The other estimates are in the run's directory.
+    let mut fitted = rows(folder, "fits.csv")?.unwrap_or_default();
+    let open = |row: &&mut BTreeMap<String, String>| {
+        row.get("beta").is_some_and(String::is_empty)
+            && row.get("theta").is_some_and(|theta| !theta.is_empty())
+    };
+    let mut is_about = false;
+    for row in fitted.iter_mut().filter(open) {
+        let theta = format!("about {}", shown(row, "theta"));
+        row.insert("theta".into(), theta);
+        row.insert("beta".into(), "not known".into());
+        is_about = true;
+    }
+    pieces.extend(table(&fitted, &fits));
+    if is_about {
+        pieces.push(Piece::Text(
+            "About: at most one level has motions that fail beside motions that do not, so that β is not known and θ lies somewhere \
+             between the levels around it. More levels there would tell both."
+                .into(),
+        ));
+    }
+    if fitted.iter().any(|row| row.get("theta").is_some_and(String::is_empty)) {
+        pieces.push(Piece::Text("–: the motions tell no curve, or no end of its interval.".into()));
+    }
+    let of_notes = format!(", {by}: ");
+    let notes = folder.run.get("notes").and_then(|notes| notes.as_array()).into_iter().flatten();
+    let notes = notes.filter_map(|note| note.as_str()).filter(|note| note.contains(&of_notes));
+    let notes: Vec<String> = notes.map(|note| note.replacen(&of_notes, ": ", 1)).collect();
+    if !notes.is_empty() {
+        pieces.push(Piece::List(notes));
+    }
+    if let Some(mut found) = rows(folder, "rates.csv")? {
+        let target = folder.number("target").map(number);
+        for row in &mut found {
+            let keeps = row.get("below_target").map(String::as_str);
+            let keeps = keeps.and_then(|keeps| match keeps {
+                "1" => Some("yes"),
+                "0" => Some("not, or not surely"),
+                _ => None,
+            });
+            if let Some(keeps) = keeps {
+                row.insert("below_target".into(), keeps.into());
+            }
+        }
+        let keeps = target.map(|target| format!("keeps the accepted rate, {target} a year"));
+        let mut rates = columns;
+        rates.extend([
+            ("rate", "so often a year"),
+            ("rate_low", "95 %: from"),
+            ("rate_high", "to"),
+            ("in_50_years", "probability in 50 years"),
+            ("rate_empirical", "a year, by counted motions alone"),
+            ("share_without_failures", "share from levels without a failure"),
+        ]);
+        rates.extend(keeps.iter().map(|keeps| ("below_target", keeps.as_str())));
+        pieces.push(Piece::Text(
+            "Together with the hazard of the site, which says how often a year such ground motions come, this is how often the block is \
+             expected to fail. Where a large share comes from levels at which no motion fails, the rate rests on the shape of a curve, \
+             not on a calculation."
+                .into(),
+        ));
+        pieces.extend(table(&found, &rates));
+        pieces.extend(site(folder, &label));
+    }
+    Ok(pieces)
+}
+
+/// Puts the limit state of a row in words.
+fn in_words(row: &mut BTreeMap<String, String>) {
+    let Some(state) = row.get_mut("limit_state") else { return };
+    let words = [
+        ("zeta>", "ζ above ", ""),
+        ("max_u>", "|u| above ", " m"),
+        ("stroke_v>", "a stroke of v above ", " m"),
+    ];
+    if let Some((key, words, unit)) = words.into_iter().find(|(key, ..)| state.starts_with(*key)) {
+        *state = format!("{words}{}{unit}", &state[key.len()..]);
+    }
+}
+
+/// The axes of a run, by their keys, and how they are labelled.
+fn axes(folder: &Folder) -> Vec<(String, String)> {
+    let swept = folder.scene.as_ref().map(|scene| scene.swept()).unwrap_or_default();
+    swept.into_iter().map(|one| (one.key().to_string(), one.entry().label())).collect()
+}

@@ -1,0 +1,49 @@
+//! Numbers and tables as readers want them.
+
+use std::collections::BTreeMap;
+
+use topple::scene::record::rounded;
+
+use super::document::Piece;
+use super::folder::Rows;
+
+/// Most rows of a table that are printed; the whole table lies in the run's directory.
+pub const ROWS: usize = 24;
+
+/// A number for readers: three digits.
+pub fn number(value: f64) -> String {
+    rounded(value, 3).to_string()
+}
+
+/// A share as a percentage.
+pub fn percent(share: f64) -> String {
+    match 100.0 * share {
+        some if some > 0.0 && some < 0.1 => "less than 0.1 %".into(),
+        share => format!("{share:.1} %"),
+    }
+}
+
+/// A cell of a table as a reader wants it: numbers with three digits.
+pub fn shown(row: &BTreeMap<String, String>, column: &str) -> String {
+    let Some(text) = row.get(column).filter(|text| !text.is_empty()) else { return "–".into() };
+    text.parse().map_or_else(|_| text.clone(), number)
+}
+
+/// That a table has more rows than are shown.
+pub fn more(rows: &Rows) -> Option<Piece> {
+    let text =
+        || format!("The first {ROWS} of {} rows; all are in the run's directory.", rows.len());
+    (rows.len() > ROWS).then(|| Piece::Text(text()))
+}
+
+/// Columns of a table under names of their own, no more than [`ROWS`] rows of it.
+pub fn table(rows: &Rows, columns: &[(&str, &str)]) -> Vec<Piece> {
+    let there = |column: &str| rows.first().is_some_and(|row| row.contains_key(column));
+    let columns: Vec<&(&str, &str)> = columns.iter().filter(|(column, _)| there(column)).collect();
+    let names = columns.iter().map(|(_, name)| name.to_string()).collect();
+    let some = rows.iter().take(ROWS);
+    let cells = some.map(|row| columns.iter().map(|(column, _)| shown(row, column)).collect());
+    let mut pieces = vec![Piece::Table(names, cells.collect())];
+    pieces.extend(more(rows));
+    pieces
+}
