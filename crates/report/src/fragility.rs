@@ -126,8 +126,9 @@ fn judged(row: &BTreeMap<String, String>) -> Option<&'static str> {
 pub fn sureness(folder: &Folder) -> Result<Vec<String>, ReportError> {
     let mut told = Vec::new();
     if let (Some(count), Some(by)) = (folder.number("groups"), folder.text("resample")) {
+        let more = if count == 1.0 { "" } else { "s" };
         told.push(format!(
-            "The intervals rest on {count} {by}s: they say how the answer changes with the choice of motions, not whether the model is right."
+            "The intervals rest on {count} {by}{more}: they say how the answer changes with the choice of motions, not whether the model is right."
         ));
     }
     let rates = rows(folder, "rates.csv")?.unwrap_or_default();

@@ -92,6 +92,10 @@ fn devices(rows: &Rows) -> Vec<String> {
         };
         let best = rows.iter().max_by(|a, b| standing(a).total_cmp(&standing(b)));
         return match best {
+            Some(_) if rows.len() == 1 => vec![format!(
+                "The device does not keep all limits; the block stands under {} of the motions.",
+                percent(rows.first().map_or(0.0, |row| standing(&row)))
+            )],
             Some(best) => vec![format!(
                 "None of {} devices keeps all limits; the block stands most often on {}: under {} of the motions.",
                 rows.len(),
