@@ -12,7 +12,7 @@ use topple::model::precision::Precision;
 use topple::results::files::Directory;
 use topple::work::observer::Observer;
 use topple_lab::chart::bench::{self, Bench, FULL, QUICK};
-use topple_lab::chart::errors::compare;
+use topple_lab::chart::errors::{Compared, compare};
 use topple_lab::chart::table::{self, Row};
 use topple_lab::chart::trial::{self, Method, Trial};
 use topple_lab::chart::truth::{self, Solution};
@@ -157,7 +157,11 @@ impl ChartCommand {
                     device: time.device.map(|device| device / cells),
                     start: time.start,
                     runs: time.runs,
-                    errors: compare(&truth, &solutions, bench.whole),
+                    errors: compare(
+                        &truth,
+                        &solutions,
+                        Compared { switches: bench.whole, zeta: trial.method.has_zeta() },
+                    ),
                 };
                 self.say(line(&trial, &row));
                 rows.push(row);
@@ -194,7 +198,7 @@ fn line(trial: &Trial, row: &Row) -> String {
         spread.map_or("-".into(), |spread| format!("{:.1e}", spread.median))
     };
     format!(
-        "  {:<10}{} {setting:>9} {:>9.1e} s/cell {:>6} differ {:>4} failed   t {:>7}   zeta {:>7}",
+        "  {:<19}{} {setting:>9} {:>9.1e} s/cell {:>6} differ {:>4} failed   t {:>7}   zeta {:>7}",
         row.method,
         row.precision,
         row.seconds,

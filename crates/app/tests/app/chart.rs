@@ -53,6 +53,19 @@ fn a_quick_chart_has_every_method_and_its_files() {
         }
     }
     assert!(methods.contains(&("maps", "cpu")) && methods.contains(&("pulse", "other 1.0")));
+    // What a map leaves out changes no outcome, and what is not asked is not there.
+    let of_maps = |method: &str, step: &str| -> Vec<String> {
+        let row = table
+            .iter()
+            .find(|row| row[0] == "maps" && row[1] == method && row[2] == "f32" && row[3] == step);
+        row.unwrap().clone()
+    };
+    for step in ["1.5625e-2", "7.8125e-3"] {
+        let [whole, shared, outcome] =
+            ["cpu", "cpu with shortcuts", "cpu outcome only"].map(|method| of_maps(method, step));
+        assert_eq!([&shared[12], &outcome[12]], [&whole[12]; 2], "{step}");
+        assert!(!shared[18].is_empty() && outcome[18].is_empty() && outcome[19].is_empty());
+    }
     // Switches in the step are of a higher order than at its end: at the same step of 1/128 s, on
     // the scene of free rocking, by far more than a factor of a hundred.
     let time = |method: &str| -> f64 {

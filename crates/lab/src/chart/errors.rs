@@ -59,13 +59,22 @@ fn of_switches(truth: &Solution, solution: &Solution) -> Option<(f64, f64)> {
     Some(worst)
 }
 
-/// Compares the solutions of a method with the truth; `switches`: compare their switches too.
-pub fn compare(truth: &[Solution], solutions: &[Solution], switches: bool) -> Errors {
+/// What of two solutions is compared beside their outcomes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Compared {
+    /// Their first switches.
+    pub switches: bool,
+    /// ζ.
+    pub zeta: bool,
+}
+
+/// Compares the solutions of a method with the truth.
+pub fn compare(truth: &[Solution], solutions: &[Solution], compared: Compared) -> Errors {
     let mut errors = Errors {
         cells: truth.len(),
         failed: 0,
         differ: 0,
-        sequences: switches.then_some(0),
+        sequences: compared.switches.then_some(0),
         time: None,
         motion: None,
         zeta: None,
@@ -79,7 +88,7 @@ pub fn compare(truth: &[Solution], solutions: &[Solution], switches: bool) -> Er
         if a.outcome.class != b.outcome.class {
             errors.differ += 1;
         }
-        if switches {
+        if compared.switches {
             let Some((time, motion)) = of_switches(a, b) else { continue };
             errors.sequences = errors.sequences.map(|count| count + 1);
             if !a.switches.is_empty() {
@@ -87,7 +96,7 @@ pub fn compare(truth: &[Solution], solutions: &[Solution], switches: bool) -> Er
                 motions.push(motion);
             }
         }
-        if a.outcome.class == Class::Rocking && b.outcome.class == Class::Rocking {
+        if compared.zeta && a.outcome.class == Class::Rocking && b.outcome.class == Class::Rocking {
             zetas.push((a.outcome.zeta - b.outcome.zeta).abs());
         }
     }

@@ -66,7 +66,15 @@ struct Line<'a> {
     rows: Vec<&'a Row>,
 }
 
-const COLOURS: [Colour; 9] = [
+impl Line<'_> {
+    /// True where cells of a row failed, or none is left to judge by a value that the method computes at other steps.
+    fn failed(&self, row: &Row, value: fn(&Row) -> Option<f64>) -> bool {
+        let computed = self.rows.iter().any(|row| value(row).is_some());
+        row.errors.failed > 0 || computed && value(row).is_none()
+    }
+}
+
+const COLOURS: [Colour; 11] = [
     [0x8c, 0xb8, 0xe8],
     [0x2c, 0x5f, 0xb8],
     [0xe3, 0x7c, 0x1e],
@@ -76,6 +84,8 @@ const COLOURS: [Colour; 9] = [
     [0xb0, 0x3a, 0x8c],
     [0x8c, 0x5a, 0x3c],
     [0xc8, 0x1e, 0x2a],
+    [0x00, 0x9e, 0x9e],
+    [0x6a, 0x51, 0xa3],
 ];
 
 /// The methods of topple have a colour each, on every chart; other programs take what is left.
@@ -87,12 +97,14 @@ fn colour(row: &Row, others: &mut usize) -> Colour {
         ("shader", "f32") => 3,
         ("shader", _) => 4,
         ("reference", _) => 5,
+        ("cpu with shortcuts", _) => 9,
+        ("cpu outcome only", _) => 10,
         _ => {
             *others += 1;
-            5 + *others
+            6 + (*others - 1) % 3
         }
     };
-    COLOURS[own % COLOURS.len()]
+    COLOURS[own]
 }
 
 fn lines(rows: &[Row]) -> Vec<Line<'_>> {
@@ -215,7 +227,7 @@ fn draw_line(
     // is left to judge.
     for row in &line.rows {
         let value = (panel.value)(row);
-        if row.errors.failed > 0 || value.is_none() {
+        if line.failed(row, panel.value) {
             Mark::Cross.draw(canvas, at(row.seconds, value.unwrap_or(most)), 1.7 * POINT, FAILED);
         }
     }
@@ -246,7 +258,7 @@ fn draw_legend(canvas: &mut Canvas, rows: &[Row], lines: &[Line], top: f64) -> f
     };
     let mut entries: Vec<_> = lines.iter().map(of).collect();
     entries.push(entry(Swatch::Mark(Mark::Circle, [0; 3]), "none, or too small to show"));
-    if rows.iter().any(|row| row.errors.failed > 0 || zeta(row).is_none()) {
+    if lines.iter().any(|line| line.rows.iter().any(|row| line.failed(row, zeta))) {
         entries.push(entry(Swatch::Mark(Mark::Cross, FAILED), "cells failed, or none to judge"));
     }
     if rows.iter().any(|row| row.device.is_some()) {

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use super::SWITCHES;
 use super::bench::Bench;
-use super::errors::compare;
+use super::errors::{Compared, compare};
 use super::table::Row;
 use super::truth::{Kind, Solution, TimedSwitch};
 use topple::scene::{Excitation, Grid, Shaking};
@@ -265,7 +265,11 @@ impl Peer {
             device: None,
             start: first.start_seconds,
             runs: first.runs,
-            errors: compare(&truths[self.bench], &self.solutions, true),
+            errors: compare(
+                &truths[self.bench],
+                &self.solutions,
+                Compared { switches: true, zeta: true },
+            ),
         }
     }
 }

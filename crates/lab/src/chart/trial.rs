@@ -14,6 +14,7 @@ use topple::cells::clock::Resolution;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
+use topple::results::column_set::ColumnSet;
 use topple::scene::{Excitation, Grid, Scene, SceneError};
 use topple::stepping::log::Event;
 use topple::stepping::outcome::Outcome;
@@ -27,6 +28,10 @@ pub enum Method {
     Shader,
     /// Its twin, on all cores.
     Cpu,
+    /// The same as a map is swept: shared full contact, and a cell ends when its columns are final.
+    Shortcuts,
+    /// The same for a map of which the outcome alone is asked: a cell ends when it is final.
+    OutcomeOnly,
     /// Switches moved to the end of the step ([`naive`]).
     Naive,
     /// The adaptive reference, on all cores.
@@ -39,9 +44,16 @@ impl Method {
         match self {
             Method::Shader => "shader",
             Method::Cpu => "cpu",
+            Method::Shortcuts => "cpu with shortcuts",
+            Method::OutcomeOnly => "cpu outcome only",
             Method::Naive => "naive",
             Method::Reference => "reference",
         }
+    }
+
+    /// True where it computes ζ.
+    pub fn has_zeta(self) -> bool {
+        self != Method::OutcomeOnly
     }
 }
 
@@ -109,8 +121,13 @@ impl Trial {
         let resolution = Resolution::exactly(self.setting);
         let naive = self.method == Method::Naive;
         let resolution = if naive { resolution.across_kinks() } else { resolution };
-        // Every method simulates all of the time.
-        Ok(Plan::resolved(scene, resolution)?.full_model())
+        let plan = Plan::resolved(scene, resolution)?;
+        Ok(match self.method {
+            Method::Shortcuts => plan,
+            Method::OutcomeOnly => plan.asking(ColumnSet::of_names(&["outcome"])?.asked()),
+            // Every other method simulates all of the time.
+            _ => plan.full_model(),
+        })
     }
 
     /// Runs a bench's cells: their solutions, and the time that it took. The runs that are timed keep
@@ -246,6 +263,11 @@ pub fn of(bench: &Bench, gpu: Option<&Gpu>) -> Vec<Trial> {
                 methods.push((Method::Shader, precision));
             }
         }
+    }
+    // On many cells: of few the vectors are half empty at the end.
+    if !bench.whole {
+        methods.push((Method::Shortcuts, Precision::F32));
+        methods.push((Method::OutcomeOnly, Precision::F32));
     }
     let mut trials = Vec::new();
     for (method, precision) in methods {
