@@ -15,7 +15,7 @@ use topple_studies::suites::{Entry, Motion, Suite, SuiteError, table};
 use super::inputs::PUT_BACK;
 use super::picture_flags::PictureFlags;
 use super::results_directory::Place;
-use super::words::{Reporter, with_columns};
+use super::words::{self, Reporter, with_columns};
 use super::{InputError, examples};
 
 /// Read a folder, a zip or a list of records as one suite, and write a table of its motions.
@@ -173,18 +173,17 @@ pub fn left_out(suite: &Suite) -> BTreeMap<&str, &str> {
     suite.left_out().map(|(entry, why)| (entry.id.as_str(), why)).collect()
 }
 
-/// Says how many motions a suite has, and how many lines have none.
+/// Says how many motions a suite has, and warns of lines that have none.
 pub fn count(suite: &Suite, say: &Reporter) {
-    let left_out = suite.left_out().count();
-    let text = match left_out {
-        0 => counted(suite.motions().count(), "motion"),
-        some => format!(
-            "{}; {} without one, topple suite tells why",
-            counted(suite.motions().count(), "motion"),
-            counted(some, "line")
-        ),
-    };
-    say.line("suite", text);
+    say.line("suite", counted(suite.motions().count(), "motion"));
+    if let Some((first, why)) = suite.left_out().next() {
+        words::warn(format!(
+            "the suite has {} without a motion, left out, of which the first is {}: {why}; --strict refuses such suites, and topple suite \
+             tells of each",
+            counted(suite.left_out().count(), "line"),
+            first.id
+        ));
+    }
 }
 
 /// Says what is in a suite.

@@ -3,7 +3,7 @@
 
 use serde_json::Value;
 use topple::results::earlier::{Kind, RUN};
-use topple::scene::{Excitation, GRAVITY, Scene, shown, words};
+use topple::scene::{Excitation, GRAVITY, Parameter, Scene, shown, words};
 
 use super::document::{Document, Piece};
 use super::folder::{Folder, ReportError};
@@ -77,10 +77,22 @@ const LEFT_OUT: [&str; 7] = [
     "The block and the plates are rigid, and so is the ground below. A block that bends, cracks or has loose parts behaves otherwise.",
     "The block does not slide on its base. Where a map of the friction that is needed is given, compare it with the friction there is.",
     "The block is lifted at a sharp corner and loses speed at each impact by a formula, not by a measured value.",
-    "The base does not pull at the block. Maps mark where it would have to; comparisons and fragilities do not look for it.",
+    "The base does not pull at the block. Maps mark where it would have to, and comparisons warn of it; envelopes and fragilities do not look for it.",
     "Rocking depends on small differences: one single calculation says little of one real event. Shares over many motions say more.",
     "Whether the ground motions are right for the site, and whether devices keep their numbers over the years, is not examined here.",
 ];
+
+/// By what all motions of a suite are multiplied, where it is not 1.
+fn scaled(folder: &Folder) -> String {
+    let scale = folder.scene.as_ref().and_then(|scene| scene.numbers.get(Parameter::Scale));
+    match scale.map(|scale| (scale.ends(), scale.count())) {
+        Some(((one, _), 1)) if one != 1.0 => format!(
+            " Each is multiplied by {}; the peaks below are those of the records themselves.",
+            number(one)
+        ),
+        _ => String::new(),
+    }
+}
 
 /// The title of a run: that of its scene, and where it lies.
 fn title(folder: &Folder) -> String {
@@ -188,7 +200,8 @@ fn motions(folders: &[Folder]) -> Vec<Piece> {
                     tables.extend(table);
                 }
                 let count = all.len();
-                format!("{count} motions of the suite {suite}{named}.{turned}{left_out}")
+                let scaled = scaled(folder);
+                format!("{count} motions of the suite {suite}{named}.{scaled}{turned}{left_out}")
             }
             (None, Some(scene)) => shaking(scene),
             (None, None) => continue,

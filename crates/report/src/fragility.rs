@@ -74,16 +74,17 @@ pub fn shortly(folder: &Folder) -> Result<Vec<String>, ReportError> {
     if let [one] = &rates[..] {
         if one.get("rate").is_some_and(|rate| !rate.is_empty()) {
             told.push(format!(
-                "At this site it overturns {} times a year{}, with a probability of {} in 50 years.",
+                "At this site it overturns {} times a year{}, with a probability of {} in 50 years{}.",
                 shown(one, "rate"),
                 within(one, "rate"),
-                one.get("in_50_years").and_then(|text| text.parse().ok()).map_or("–".into(), percent)
+                one.get("in_50_years").and_then(|text| text.parse().ok()).map_or("–".into(), percent),
+                beyond(one)
             ));
         } else {
             told.push("How often it overturns at this site is not known.".into());
         }
-        if let (Some(target), Some(judged)) = (target, judged(one)) {
-            told.push(format!("{judged} the accepted rate, {} a year.", number(target)));
+        if let Some(judged) = target.and_then(|target| judged(one, target)) {
+            told.push(judged);
         }
     } else if let Some(target) = target.filter(|_| !rates.is_empty()) {
         let keep = rates.iter().filter(|row| row.get("below_target").is_some_and(|is| is == "1"));
@@ -110,13 +111,51 @@ fn within(row: &BTreeMap<String, String>, name: &str) -> String {
     }
 }
 
-/// Whether a rate keeps the target, with all that may be missing at the ends of the hazard curve.
-fn judged(row: &BTreeMap<String, String>) -> Option<&'static str> {
-    match row.get("below_target")?.as_str() {
-        "1" => Some("This keeps"),
-        "0" => Some("This exceeds, or may exceed,"),
-        _ => None,
+/// The largest rate that motions beyond the ends of the hazard curve may add.
+fn missing(row: &BTreeMap<String, String>) -> f64 {
+    let known = |name: &str| row.get(name).and_then(|text| text.parse::<f64>().ok());
+    known("missing_above").unwrap_or(0.0) + known("missing_below").unwrap_or(0.0)
+}
+
+/// The upper end of a rate's interval, with all that may be missing.
+fn highest(row: &BTreeMap<String, String>) -> Option<f64> {
+    Some(row.get("rate_high")?.parse::<f64>().ok()? + missing(row))
+}
+
+/// What the hazard curve leaves out, where it adds a hundredth of the rate or more.
+fn beyond(row: &BTreeMap<String, String>) -> String {
+    let rate = row.get("rate").and_then(|text| text.parse::<f64>().ok()).unwrap_or(0.0);
+    let missing = missing(row);
+    match missing > 0.0 && missing >= 0.01 * rate {
+        true => format!(
+            "; beyond the ends of the hazard curve up to {} more a year may be missing",
+            number(missing)
+        ),
+        false => String::new(),
     }
+}
+
+/// Whether a rate keeps the target, with all that may be missing at the ends of the hazard curve, and whether the upper end of its
+/// interval does.
+fn judged(row: &BTreeMap<String, String>, target: f64) -> Option<String> {
+    let known = |name: &str| row.get(name)?.parse::<f64>().ok();
+    let accepted = format!("the accepted rate, {} a year", number(target));
+    Some(match row.get("below_target")?.as_str() {
+        "1" => match highest(row) {
+            Some(high) if high <= target => {
+                format!("This keeps {accepted}, and so does the upper end of its interval.")
+            }
+            Some(_) => format!(
+                "This keeps {accepted}, but the upper end of its interval exceeds it: with other motions it may not be kept."
+            ),
+            None => format!("This keeps {accepted}; its interval is not known."),
+        },
+        "0" if known("rate").is_some_and(|rate| rate > target) => {
+            format!("This exceeds {accepted}.")
+        }
+        "0" => format!("With what the hazard curve may leave out, this may exceed {accepted}."),
+        _ => return None,
+    })
 }
 
 /// How sure the curves are, in sentences.
@@ -232,11 +271,15 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
     }
     if let Some(mut found) = rows(folder, "rates.csv")? {
         let target = folder.number("target").map(number);
+        let accepted = folder.number("target").unwrap_or(f64::INFINITY);
         for row in &mut found {
+            let known = |name: &str| row.get(name).and_then(|text| text.parse::<f64>().ok());
             let keeps = row.get("below_target").map(String::as_str);
             let keeps = keeps.and_then(|keeps| match keeps {
-                "1" => Some("yes"),
-                "0" => Some("not, or not surely"),
+                "1" if highest(row).is_some_and(|high| high <= accepted) => Some("yes"),
+                "1" => Some("yes, its interval not"),
+                "0" if known("rate").is_some_and(|rate| rate > accepted) => Some("no"),
+                "0" => Some("not surely"),
                 _ => None,
             });
             if let Some(keeps) = keeps {
@@ -283,4 +326,27 @@ fn in_words(row: &mut BTreeMap<String, String>) {
 fn axes(folder: &Folder) -> Vec<(String, String)> {
     let swept = folder.scene.as_ref().map(|scene| scene.swept()).unwrap_or_default();
     swept.into_iter().map(|one| (one.key().to_string(), one.entry().label())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The estimate, the ends of its interval, and what the hazard curve may leave out are each judged.
+    #[test]
+    fn a_rate_keeps_the_target_surely_or_not() {
+        let told = |rate: &str, high: &str, below: &str| {
+            let row = [("rate", rate), ("rate_high", high), ("below_target", below)];
+            let row = row.into_iter().map(|(a, b)| (a.into(), b.into())).collect();
+            judged(&row, 4.0e-4).unwrap_or_default()
+        };
+        assert!(told("1e-4", "3e-4", "1").ends_with("so does the upper end of its interval."));
+        assert!(told("1e-4", "2e-2", "1").ends_with("it may not be kept."));
+        assert!(told("1e-4", "", "1").ends_with("its interval is not known."));
+        assert_eq!(told("5e-4", "6e-4", "0"), "This exceeds the accepted rate, 0.0004 a year.");
+        assert!(
+            told("3e-4", "3.5e-4", "0").starts_with("With what the hazard curve may leave out")
+        );
+        assert_eq!(told("", "", ""), "");
+    }
 }

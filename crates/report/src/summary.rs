@@ -1,11 +1,16 @@
 //! A run in short: what was asked, what was found, and how sure that is.
 
+use std::collections::BTreeMap;
+
 use serde_json::Value;
 use topple::results::earlier::Kind;
 
 use super::folder::{Folder, ReportError, Rows};
 use super::tables::{number, percent, shown};
 use super::{findings, fragility};
+
+/// A row of a table, by its columns.
+type Row = BTreeMap<String, String>;
 
 /// Devices that are named.
 const NAMED: usize = 6;
@@ -79,50 +84,76 @@ fn suite(rows: &Rows) -> Vec<String> {
     vec![format!("{count} {}{peaks}.", if count == 1 { "motion" } else { "motions" })]
 }
 
-/// Which devices of a comparison keep all limits, or else under which one the block stands most often.
+/// Which devices of a comparison keep all limits, or else under which the block stands most often; and which has the lowest rate.
 fn devices(rows: &Rows) -> Vec<String> {
-    let name = |row: &std::collections::BTreeMap<String, String>| {
-        row.get("device").cloned().unwrap_or_default()
-    };
-    let keeps = rows.iter().filter(|row| row.get("feasible").is_some_and(|is| is == "1"));
-    let mut keeps: Vec<String> = keeps.map(name).collect();
-    if keeps.is_empty() {
-        let standing = |row: &&std::collections::BTreeMap<String, String>| -> f64 {
-            row.get("standing").and_then(|text| text.parse().ok()).unwrap_or(0.0)
-        };
-        let best = rows.iter().max_by(|a, b| standing(a).total_cmp(&standing(b)));
-        return match best {
-            Some(_) if rows.len() == 1 => vec![format!(
-                "The device does not keep all limits; the block stands under {} of the motions.",
-                percent(rows.first().map_or(0.0, |row| standing(&row)))
-            )],
-            Some(best) => vec![format!(
-                "None of {} devices keeps all limits; the block stands most often on {}: under {} of the motions.",
-                rows.len(),
-                name(best),
-                percent(standing(&best))
-            )],
-            None => Vec::new(),
-        };
+    let (all, count) = (rows.iter().collect::<Vec<_>>(), rows.len());
+    let keeps: Vec<_> =
+        rows.iter().filter(|row| row.get("feasible").is_some_and(|is| is == "1")).collect();
+    let mut told = Vec::new();
+    match (&keeps[..], &all[..]) {
+        (_, []) => return told,
+        ([], [one]) => told.push(format!(
+            "The device does not keep all limits; the block stands under {} of the motions.",
+            share(one, "standing")
+        )),
+        ([], _) => {
+            let best = best(&all, "standing", f64::max);
+            told.push(format!(
+                "None of {count} devices keeps all limits; the block stands most often on {}: under {} of the motions.",
+                named(&best),
+                best.first().map_or(String::new(), |row| share(row, "standing"))
+            ));
+        }
+        (some, _) => {
+            let keep = if some.len() == 1 { "keeps" } else { "keep" };
+            told.push(format!(
+                "{} of {count} devices {keep} all limits: {}.",
+                some.len(),
+                named(some)
+            ));
+        }
     }
-    let (count, more) = (keeps.len(), keeps.len() > NAMED);
-    keeps.truncate(NAMED);
-    let named = keeps.join(", ") + if more { ", …" } else { "" };
-    let keep = if count == 1 { "keeps" } else { "keep" };
-    let mut told = vec![format!("{count} of {} devices {keep} all limits: {named}.", rows.len())];
-    let reserve = |row: &&std::collections::BTreeMap<String, String>| -> f64 {
-        row.get("reserve").and_then(|text| text.parse().ok()).unwrap_or(0.0)
-    };
-    let best = rows.iter().max_by(|a, b| reserve(a).total_cmp(&reserve(b)));
-    if let Some(best) = best.filter(|best| reserve(best) > 0.0) {
-        let most = if count == 1 { "" } else { ", more than the others or as much" };
+    let longest = best(&keeps, "reserve", f64::max);
+    if let Some(row) = longest.first().filter(|row| value(row, "reserve").is_some_and(|r| r > 0.0))
+    {
+        let keep = if longest.len() == 1 { "keeps" } else { "keep" };
+        let most = if keeps.len() > longest.len() { ", the others less" } else { "" };
         told.push(format!(
-            "{} keeps them up to {} times the motions{most}.",
-            name(best),
-            shown(best, "reserve")
+            "{} {keep} them up to {} times the motions{most}.",
+            named(&longest),
+            shown(row, "reserve")
+        ));
+    }
+    let rarest = best(&all, "rate", f64::min);
+    if let Some(row) = rarest.first().filter(|_| count > 1) {
+        told.push(format!(
+            "The block overturns most rarely on {}: {} times a year.",
+            named(&rarest),
+            shown(row, "rate")
         ));
     }
     told
+}
+
+/// A number of a row.
+fn value(row: &Row, column: &str) -> Option<f64> {
+    row.get(column)?.parse().ok()
+}
+
+fn share(row: &Row, column: &str) -> String {
+    percent(value(row, column).unwrap_or(0.0))
+}
+
+/// The rows with the largest, or the least, number of a column: several where it is equal.
+fn best<'a>(rows: &[&'a Row], column: &str, of: fn(f64, f64) -> f64) -> Vec<&'a Row> {
+    let most = rows.iter().filter_map(|row| value(row, column)).reduce(of);
+    rows.iter().copied().filter(|row| most.is_some() && value(row, column) == most).collect()
+}
+
+/// The names of devices, which may have commas of their own.
+fn named(rows: &[&Row]) -> String {
+    let names = rows.iter().take(NAMED).filter_map(|row| row.get("device").cloned());
+    names.collect::<Vec<_>>().join("; ") + if rows.len() > NAMED { "; …" } else { "" }
 }
 
 /// What a second calculation says of a run.
@@ -157,5 +188,60 @@ pub fn checked(folder: &Folder) -> String {
             }
         }
         _ => none,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rows(list: &[[&str; 5]]) -> Rows {
+        let columns = ["device", "feasible", "standing", "reserve", "rate"];
+        let row = |values: &[&str; 5]| {
+            columns.into_iter().zip(*values).map(|(a, b)| (a.into(), b.into())).collect()
+        };
+        list.iter().map(row).collect()
+    }
+
+    /// Devices that are equal are all named, in whichever order they stand.
+    #[test]
+    fn of_equal_devices_none_is_chosen() {
+        let mut list = rows(&[
+            ["bearing", "0", "0.5", "", "4e-4"],
+            ["pendulum, R = 2 m", "0", "0.75", "", ""],
+            ["ropes", "0", "0.75", "", "4e-4"],
+        ]);
+        for _ in 0..2 {
+            let told = devices(&list).join(" ");
+            assert!(
+                told.contains("on pendulum, R = 2 m; ropes: under 75.0 %")
+                    || told.contains("on ropes; pendulum, R = 2 m: under 75.0 %"),
+                "{told}"
+            );
+            assert!(
+                told.contains("most rarely on bearing; ropes: 0.0004 times")
+                    || told.contains("most rarely on ropes; bearing: 0.0004 times"),
+                "{told}"
+            );
+            list.reverse();
+        }
+        let told = devices(&rows(&[
+            ["a", "1", "1", "1.5", ""],
+            ["b", "1", "1", "1.5", ""],
+            ["c", "1", "1", "1", ""],
+            ["d", "0", "1", "", ""],
+        ]));
+        assert_eq!(
+            told,
+            [
+                "3 of 4 devices keep all limits: a; b; c.",
+                "a; b keep them up to 1.5 times the motions, the others less."
+            ]
+        );
+        assert_eq!(
+            devices(&rows(&[["a", "0", "0.5", "", "4e-4"]])),
+            ["The device does not keep all limits; the block stands under 50.0 % of the motions."]
+        );
+        assert!(devices(&Rows::new()).is_empty());
     }
 }

@@ -687,3 +687,23 @@ fn a_device_that_changes_with_the_motion_is_refused() {
         assert!(line.contains(said), "{line}");
     }
 }
+
+/// Motions that are not there may be those under which a block falls: the run says so where it warns, and so does what it leaves.
+#[test]
+fn a_line_without_a_motion_is_warned_of() {
+    let folder = folder();
+    let path = folder.path().display().to_string();
+    let out = folder.path().join("out").display().to_string();
+    let run = topple(&[
+        "envelope", "--object", "1", "--t-h", "1:2:3", "--t-v", "1", "--u-y", "0.01", "--suite",
+        &path, "--verify", "none", "--out", &out,
+    ])
+    .success();
+    let said = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+    let warning = "without a motion, left out, of which the first is ";
+    assert!(said.contains(warning) && said.contains("--strict refuses such suites"), "{said}");
+    let json = fs::read_to_string(Path::new(&out).join("run.json")).unwrap();
+    let run: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let told = run["warnings"].as_array().unwrap();
+    assert!(told.iter().any(|one| one.as_str().unwrap().contains(warning)), "{told:?}");
+}

@@ -87,6 +87,19 @@ pub(super) fn azimuth_of_column(name: &str) -> Option<f64> {
     of(without_brackets(name).trim()).or_else(|| of(words::direction(name)))
 }
 
+/// True of a name of which `down` is the only word beside those of an acceleration and of units.
+fn is_down(name: &str) -> bool {
+    let plain = without_brackets(name);
+    let mut words = plain.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty());
+    let beside = ["a", "acc", "accel", "acceleration", "comp", "component", "ch", "channel"];
+    let (mut down, mut others) = (false, false);
+    words.by_ref().for_each(|word| match word {
+        "down" | "dwn" => down = true,
+        _ => others |= !beside.contains(&word) && !Units::are_meant(word),
+    });
+    down && !others
+}
+
 /// The direction that a column's name tells: `NS (g)`, `acc-UD`, `IWT010.UD1`, `HNZ`, `Up-Down`, `Z (down)`.
 pub(super) fn of_column(name: &str) -> Option<Component> {
     let lower = name.to_lowercase();
@@ -94,7 +107,7 @@ pub(super) fn of_column(name: &str) -> Option<Component> {
     if let Some(Polarity::Way(way)) = polarity::stated(name) {
         return Some(way);
     }
-    if has(&["down", "dwn"]) && !has(&["up"]) {
+    if is_down(&lower) {
         return Some(Component::Down);
     }
     if has(&["vert", "updown", "up-down", "up/down"]) {
@@ -114,7 +127,10 @@ pub(super) fn of_column(name: &str) -> Option<Component> {
     let bare = bare.trim_start_matches(['-', '_', '.', ' ', ':']);
     let last = bare.rsplit(['.', '_', ' ', ':']).next().unwrap_or_default();
     let stated = stated(name).map(|(component, _)| component);
-    stated.or_else(|| told(bare)).or_else(|| told(last))
+    // Behind a blank `down` may be the end of a sentence: `5 m down`.
+    let apart = bare.contains([' ', ':']);
+    let last = || told(last).filter(|one| !(apart && *one == Component::Down));
+    stated.or_else(|| told(bare)).or_else(last)
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ pub(super) enum Polarity {
 }
 
 /// Words that change nothing between a key and its way.
-const FILLING: [&str; 18] = [
+const FILLING: [&str; 21] = [
     "is",
     "are",
     "axis",
@@ -30,9 +30,28 @@ const FILLING: [&str; 18] = [
     "sense",
     "and",
     "to",
+    "t",
+    "longer",
+    "it",
 ];
 
-const NOT: [&str; 4] = ["not", "no", "isn", "never"];
+const NOT: [&str; 7] = ["not", "no", "isn", "aren", "wasn", "never", "false"];
+
+/// Words of a line whose way is not that of its accelerations now.
+const OF_OTHERS: [&str; 12] = [
+    "depth",
+    "depths",
+    "elevation",
+    "location",
+    "position",
+    "coordinate",
+    "coordinates",
+    "original",
+    "originally",
+    "was",
+    "were",
+    "rotated",
+];
 
 /// Without a lone s, which is a second.
 const HORIZONTAL: [&str; 15] = [
@@ -64,8 +83,10 @@ const SIZE: [&str; 7] = ["peak", "max", "min", "maximum", "minimum", "largest", 
 enum Word {
     /// Up or down.
     Way(Component),
-    /// What has a sign: true where the way after it is the positive one.
+    /// What has a sign: true where the way beside it is the positive one.
     Key(bool),
+    /// The sign `-` by itself. It may be a dash.
+    Minus,
     /// An axis that points somewhere.
     Points,
     Vertical,
@@ -78,8 +99,9 @@ fn word(word: &str) -> Word {
     match word {
         "down" | "downward" | "downwards" | "dwn" => Word::Way(Component::Down),
         "up" | "upward" | "upwards" => Word::Way(Component::Up),
-        "positive" | "pos" | "polarity" | "convention" => Word::Key(true),
-        "negative" | "neg" => Word::Key(false),
+        "positive" | "pos" | "plus" | "polarity" | "convention" => Word::Key(true),
+        MINUS => Word::Minus,
+        "negative" | "neg" | "minus" => Word::Key(false),
         "points" | "pointing" | "directed" | "oriented" => Word::Points,
         _ if VERTICAL.contains(&word) => Word::Vertical,
         _ if HORIZONTAL.contains(&word) => Word::Horizontal,
@@ -122,65 +144,125 @@ fn split(line: &str) -> Vec<(&str, Word)> {
     found
 }
 
-/// A line in lower case whose signs before words are words: `+ down`, `+ve`.
+/// What a `-` is spelled as that may be a sign.
+const MINUS: &str = "minussign";
+
+/// A line in lower case whose signs before or behind words are words: `+ down`, `+ve`, `(-)`, ` -down`.
 fn spelled(line: &str) -> String {
-    let lower = line.to_lowercase();
+    let lower = line.to_lowercase().replace("-ve ", " negative ");
     let mut plain = String::with_capacity(lower.len());
+    let mut before = ' ';
     for (at, c) in lower.char_indices() {
+        let next = lower[at + c.len_utf8()..].chars().next();
         let after = lower[at + c.len_utf8()..].trim_start().chars().next();
+        let apart = |c: char| c.is_whitespace() || "()[],;:=/".contains(c);
+        let is_minus = c == '-'
+            && apart(before)
+            && (next.is_some_and(char::is_alphabetic)
+                || after.is_none_or(|c| "()[],;/".contains(c)));
         if c == '+' && !after.is_some_and(|c| c.is_ascii_digit() || c == '.') {
             plain.push_str(" positive ");
+        } else if is_minus {
+            plain.extend([" ", MINUS, " "]);
         } else {
             plain.push(c);
         }
+        before = c;
     }
-    plain.replace("-ve ", " negative ")
+    plain
 }
 
 /// What the words of a line state: `positive north, east, down`, `polarity: up`, `(+ down)`, `Z axis points down`,
-/// `Vertical (down)`, `not positive down`.
+/// `Vertical (down)`, `not positive down`, `up positive, down negative`. A way is stated where all that the line says of it
+/// agrees; else it is unclear.
 pub(super) fn stated(line: &str) -> Option<Polarity> {
     let line = spelled(line);
     let words = split(&line);
-    let kind = |at: usize| words.get(at).map(|(_, kind)| *kind);
-    let negated = |at: usize| at > 0 && kind(at - 1) == Some(Word::Not);
     let of_axis = line.contains("axis") || words.iter().any(|(_, one)| *one == Word::Vertical);
-    let way = |at: usize| match kind(at)? {
-        Word::Key(positive) => {
-            let (before, after) = (&words[..at], &words[at + 1..]);
-            beside(after.iter(), positive == negated(at))
-                .or_else(|| beside(before.iter().rev(), !positive))
+    let mut ways = Vec::new();
+    let signed = |one: &str| line.replace(' ', "").contains(one);
+    let has_way = words.iter().any(|(_, kind)| matches!(kind, Word::Way(_)));
+    let mut unclear = is_unclear(&words) || has_way && (signed("=+1") || signed("=-1"));
+    // What stands between other words is read by itself.
+    for part in words.split(|(_, kind)| *kind == Word::Other) {
+        match of_part(part, of_axis) {
+            Some(Polarity::Way(way)) => ways.push(way),
+            Some(Polarity::Unclear) => unclear = true,
+            None => {}
         }
-        Word::Points if of_axis => beside(words[at + 1..].iter(), negated(at)),
-        Word::Vertical if !negated(at) => match kind(at + 1) {
-            Some(Word::Way(way)) => Some(way),
-            _ => None,
-        },
-        _ => None,
-    };
-    // In `vertical down, positive up` the key tells.
-    let is_key = |at: &usize| matches!(kind(*at), Some(Word::Key(_)));
-    let by_key = (0..words.len()).filter(is_key).find_map(way);
-    if let Some(way) = by_key.or_else(|| (0..words.len()).find_map(way)) {
-        return Some(Polarity::Way(way));
     }
-    is_unclear(&words).then_some(Polarity::Unclear)
+    let [way, others @ ..] = &ways[..] else {
+        return unclear.then_some(Polarity::Unclear);
+    };
+    let of_others = words.iter().any(|(text, _)| OF_OTHERS.contains(text));
+    let answered = line.trim_end().strip_suffix('0').map(str::trim_end);
+    let denied = answered.is_some_and(|line| line.ends_with([':', '=']))
+        || matches!(words.last(), Some((_, Word::Not)));
+    let agree = others.iter().all(|other| other == way);
+    Some(if agree && !of_others && !denied { Polarity::Way(*way) } else { Polarity::Unclear })
 }
 
-/// The way that words tell which follow a key, past directions that are horizontal; the other one where it is `turned`.
-fn beside<'a>(
-    words: impl Iterator<Item = &'a (&'a str, Word)>,
-    mut turned: bool,
-) -> Option<Component> {
-    for (_, word) in words {
-        match word {
-            Word::Way(way) => return Some(if turned { opposite(*way) } else { *way }),
+/// A key and the way that it has; true where the key is no lone `-`.
+type Pair = (Component, bool);
+
+/// What words state that follow each other.
+fn of_part(words: &[(&str, Word)], of_axis: bool) -> Option<Polarity> {
+    let mut turned = false;
+    let mut items: Vec<Word> = Vec::new();
+    for (_, kind) in words {
+        match *kind {
             Word::Not => turned = !turned,
-            Word::Horizontal | Word::Vertical => {}
-            Word::Key(_) | Word::Points | Word::Other => return None,
+            Word::Way(way) => {
+                let way = if std::mem::take(&mut turned) { opposite(way) } else { way };
+                if items.last() != Some(&Word::Way(way)) {
+                    items.push(Word::Way(way));
+                }
+            }
+            Word::Key(positive) => {
+                let key = Word::Key(positive != std::mem::take(&mut turned));
+                if items.last() != Some(&key) {
+                    items.push(key);
+                }
+            }
+            Word::Minus | Word::Points => items.push(*kind),
+            // An axis that points there is another one.
+            Word::Horizontal if items.last() == Some(&Word::Points) => {
+                items.pop();
+            }
+            Word::Vertical | Word::Horizontal | Word::Other => {}
         }
     }
-    None
+    let has_key = items.iter().any(|item| matches!(item, Word::Key(_) | Word::Minus));
+    let has_way = items.iter().any(|item| matches!(item, Word::Way(_)));
+    match (&items[..], has_key && has_way) {
+        (_, true) => {
+            let pairs: Option<Vec<Pair>> = items.chunks(2).map(pair).collect();
+            let Some(pairs) = pairs.filter(|_| !turned) else { return Some(Polarity::Unclear) };
+            let told = pairs.iter().any(|(_, sure)| *sure);
+            let way = pairs.first().map(|(way, _)| *way)?;
+            let agree = pairs.iter().all(|(other, _)| *other == way);
+            Some(if agree && told { Polarity::Way(way) } else { Polarity::Unclear })
+        }
+        ([Word::Points, Word::Way(way)], _) if of_axis => Some(Polarity::Way(*way)),
+        ([Word::Way(way)], _) => {
+            let beside =
+                |pair: &[(&str, Word)]| matches!(pair, [(_, Word::Vertical), (_, Word::Way(_))]);
+            words.windows(2).any(beside).then_some(Polarity::Way(*way))
+        }
+        _ => None,
+    }
+}
+
+/// The positive way that a key and a way tell, in either order.
+fn pair(items: &[Word]) -> Option<Pair> {
+    let ((Word::Way(way), key) | (key, Word::Way(way))) = (*items.first()?, *items.get(1)?) else {
+        return None;
+    };
+    match key {
+        Word::Key(positive) => Some((if positive { way } else { opposite(way) }, true)),
+        Word::Minus => Some((opposite(way), false)),
+        _ => None,
+    }
 }
 
 /// True of words that speak of a sign of which nothing was found.
@@ -198,7 +280,13 @@ fn is_unclear(words: &[(&str, Word)]) -> bool {
     };
     let signed = words.iter().any(|(_, kind)| matches!(kind, Word::Key(true)))
         && !words.windows(2).any(of_horizontal);
-    signed && !has(&SIZE) && !is_normal || turned && (of_sign || is_vertical)
+    let has_way = words.iter().any(|(_, kind)| matches!(kind, Word::Way(_)));
+    let minus = words.iter().any(|(_, kind)| matches!(kind, Word::Minus | Word::Key(false)));
+    let key = words.iter().any(|(_, kind)| matches!(kind, Word::Key(_)));
+    signed && !has(&SIZE) && !is_normal
+        || turned && (of_sign || is_vertical)
+        || has_way && (key || has(&["sign", "signs"]) || is_vertical)
+        || minus && (has_way || is_vertical)
 }
 
 #[cfg(test)]
@@ -237,6 +325,18 @@ mod tests {
             ("negative up", Down),
             ("-ve down", Up),
             ("positive vertical: down", Down),
+            ("up positive, down negative", Up),
+            ("up is positive and down is negative", Up),
+            ("Up (+), Down (-)", Up),
+            ("+up -down", Up),
+            ("UD (up + / down -)", Up),
+            ("upward positive, downward negative", Up),
+            ("down: positive, up: negative", Down),
+            ("down is negative, up is positive", Up),
+            ("negative up, positive down", Down),
+            ("positive up (not down)", Up),
+            ("isn't positive down", Up),
+            ("no longer positive down", Up),
         ] {
             assert_eq!(stated(words), Some(Polarity::Way(wanted)), "{words}");
         }
@@ -251,6 +351,24 @@ mod tests {
             "sensor was mounted upside down",
             "sign convention of SEED",
             "UD inverted",
+            "positive down: no",
+            "positive down: false",
+            "positive_down = 0",
+            "positive up: no",
+            "was positive down, now positive up",
+            "original polarity: down; data: positive up",
+            "depth 20 m, positive down",
+            "sensor depth (down positive): 10 m",
+            "accelerations are positive when the ground moves down",
+            "downward movement gives positive values",
+            "Vertical 10m down",
+            "vertical -down",
+            "vertical component, 5 m down",
+            "UD (-)",
+            "-Z",
+            "minus Z",
+            "down=+1",
+            "up = -1",
         ] {
             assert_eq!(stated(words), Some(Polarity::Unclear), "{words}");
         }
