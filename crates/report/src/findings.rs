@@ -1,12 +1,12 @@
 //! What a run found, in sentences, tables and its pictures.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use topple::results::earlier::Kind;
 use topple::scene::words;
 
 use super::document::Piece;
-use super::folder::{Folder, ReportError, Rows};
+use super::folder::{Folder, ReportError, Row, Rows};
 use super::fragility;
 use super::tables::{ROWS, more, number, percent, shown, table};
 
@@ -273,7 +273,7 @@ fn beside(rows: &Rows, (key, columns): (&str, &[(&str, &str)])) -> Vec<Piece> {
     };
     let told: Vec<&(&str, &str)> = columns.iter().filter(|(column, _)| tells(column)).collect();
     let some = &rows[..rows.len().min(ROWS)];
-    let table = |rows: &[BTreeMap<String, String>]| {
+    let table = |rows: &[Row]| {
         let names = rows.iter().map(|row| shown(row, key));
         let line = |(column, name): &&(&str, &str)| {
             let values = rows.iter().map(|row| shown(row, column));

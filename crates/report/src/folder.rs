@@ -67,7 +67,10 @@ pub struct Folder {
 }
 
 /// A table of a run: each row by the names of the columns.
-pub type Rows = Vec<BTreeMap<String, String>>;
+pub type Rows = Vec<Row>;
+
+/// A row of a table, by its columns.
+pub type Row = BTreeMap<String, String>;
 
 impl Folder {
     /// Reads the run.json of a directory, and looks whether all files are there that it names.

@@ -1,14 +1,12 @@
 //! What a fragility found: its curves, the hazard of its site, how often the block fails.
 
-use std::collections::BTreeMap;
-
 use topple_pictures::drawing::render;
 use topple_pictures::studies::hazard;
 use topple_studies::suites::intensity::Intensity;
 
 use super::document::Piece;
-use super::folder::{Folder, ReportError, Rows};
-use super::tables::{number, percent, shown, table};
+use super::folder::{Folder, ReportError, Row, Rows};
+use super::tables::{number, percent, shown, table, value};
 
 /// The estimator whose curves are drawn and told: the first of the run.
 fn estimator(folder: &Folder) -> &str {
@@ -53,7 +51,7 @@ pub fn shortly(folder: &Folder) -> Result<Vec<String>, ReportError> {
     let unit = measure(folder).map_or("1", Intensity::unit);
     let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
     let mut told = Vec::new();
-    let known: Vec<f64> = fits.iter().filter_map(|row| row.get("theta")?.parse().ok()).collect();
+    let known: Vec<f64> = fits.iter().filter_map(|row| value(row, "theta")).collect();
     let (least, most) = known.iter().fold((f64::MAX, 0.0_f64), |(a, b), x| (a.min(*x), b.max(*x)));
     told.push(match (&fits[..], known.is_empty()) {
         (_, true) => "The motions tell no curve of overturning.".into(),
@@ -77,7 +75,7 @@ pub fn shortly(folder: &Folder) -> Result<Vec<String>, ReportError> {
                 "At this site it overturns {} times a year{}, with a probability of {} in 50 years{}.",
                 shown(one, "rate"),
                 within(one, "rate"),
-                one.get("in_50_years").and_then(|text| text.parse().ok()).map_or("–".into(), percent),
+                value(one, "in_50_years").map_or("–".into(), percent),
                 beyond(one)
             ));
         } else {
@@ -98,7 +96,7 @@ pub fn shortly(folder: &Folder) -> Result<Vec<String>, ReportError> {
 }
 
 /// Of a row an interval behind its number; nothing where both of its ends are open.
-fn within(row: &BTreeMap<String, String>, name: &str) -> String {
+fn within(row: &Row, name: &str) -> String {
     let end = |end: &str| {
         let column = format!("{name}_{end}");
         row.get(&column).filter(|text| !text.is_empty()).map(|_| shown(row, &column))
@@ -112,19 +110,18 @@ fn within(row: &BTreeMap<String, String>, name: &str) -> String {
 }
 
 /// The largest rate that motions beyond the ends of the hazard curve may add.
-fn missing(row: &BTreeMap<String, String>) -> f64 {
-    let known = |name: &str| row.get(name).and_then(|text| text.parse::<f64>().ok());
-    known("missing_above").unwrap_or(0.0) + known("missing_below").unwrap_or(0.0)
+fn missing(row: &Row) -> f64 {
+    ["missing_above", "missing_below"].iter().filter_map(|name| value(row, name)).sum()
 }
 
 /// The upper end of a rate's interval, with all that may be missing.
-fn highest(row: &BTreeMap<String, String>) -> Option<f64> {
-    Some(row.get("rate_high")?.parse::<f64>().ok()? + missing(row))
+fn highest(row: &Row) -> Option<f64> {
+    Some(value(row, "rate_high")? + missing(row))
 }
 
 /// What the hazard curve leaves out, where it adds a hundredth of the rate or more.
-fn beyond(row: &BTreeMap<String, String>) -> String {
-    let rate = row.get("rate").and_then(|text| text.parse::<f64>().ok()).unwrap_or(0.0);
+fn beyond(row: &Row) -> String {
+    let rate = value(row, "rate").unwrap_or(0.0);
     let missing = missing(row);
     match missing > 0.0 && missing >= 0.01 * rate {
         true => format!(
@@ -137,8 +134,7 @@ fn beyond(row: &BTreeMap<String, String>) -> String {
 
 /// Whether a rate keeps the target, with all that may be missing at the ends of the hazard curve, and whether the upper end of its
 /// interval does.
-fn judged(row: &BTreeMap<String, String>, target: f64) -> Option<String> {
-    let known = |name: &str| row.get(name)?.parse::<f64>().ok();
+fn judged(row: &Row, target: f64) -> Option<String> {
     let accepted = format!("the accepted rate, {} a year", number(target));
     Some(match row.get("below_target")?.as_str() {
         "1" => match highest(row) {
@@ -150,7 +146,7 @@ fn judged(row: &BTreeMap<String, String>, target: f64) -> Option<String> {
             ),
             None => format!("This keeps {accepted}; its interval is not known."),
         },
-        "0" if known("rate").is_some_and(|rate| rate > target) => {
+        "0" if value(row, "rate").is_some_and(|rate| rate > target) => {
             format!("This exceeds {accepted}.")
         }
         "0" => format!("With what the hazard curve may leave out, this may exceed {accepted}."),
@@ -173,7 +169,7 @@ pub fn sureness(folder: &Folder) -> Result<Vec<String>, ReportError> {
     let rates = rows(folder, "rates.csv")?.unwrap_or_default();
     if let [one, ..] = &rates[..]
         && rates.iter().all(|row| cell(folder, row) == cell(folder, one))
-        && let Some(share) = one.get("share_without_failures").and_then(|text| text.parse().ok())
+        && let Some(share) = value(one, "share_without_failures")
     {
         told.push(format!(
             "{} of the rate of overturning comes from levels at which no motion overturns it: from the shape of the curve, not from a calculation.",
@@ -184,7 +180,7 @@ pub fn sureness(folder: &Folder) -> Result<Vec<String>, ReportError> {
 }
 
 /// Where a row lies on the axes of the run.
-fn cell<'a>(folder: &Folder, row: &'a BTreeMap<String, String>) -> Vec<Option<&'a String>> {
+fn cell<'a>(folder: &Folder, row: &'a Row) -> Vec<Option<&'a String>> {
     axes(folder).iter().map(|(key, _)| row.get(key)).collect()
 }
 
@@ -240,7 +236,7 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
     ))];
     // The other estimates are in the run's directory.
     let mut fitted = rows(folder, "fits.csv")?.unwrap_or_default();
-    let open = |row: &&mut BTreeMap<String, String>| {
+    let open = |row: &&mut Row| {
         row.get("beta").is_some_and(String::is_empty)
             && row.get("theta").is_some_and(|theta| !theta.is_empty())
     };
@@ -273,12 +269,11 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         let target = folder.number("target").map(number);
         let accepted = folder.number("target").unwrap_or(f64::INFINITY);
         for row in &mut found {
-            let known = |name: &str| row.get(name).and_then(|text| text.parse::<f64>().ok());
             let keeps = row.get("below_target").map(String::as_str);
             let keeps = keeps.and_then(|keeps| match keeps {
                 "1" if highest(row).is_some_and(|high| high <= accepted) => Some("yes"),
                 "1" => Some("yes, its interval not"),
-                "0" if known("rate").is_some_and(|rate| rate > accepted) => Some("no"),
+                "0" if value(row, "rate").is_some_and(|rate| rate > accepted) => Some("no"),
                 "0" => Some("not surely"),
                 _ => None,
             });
@@ -310,7 +305,7 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
 }
 
 /// Puts the limit state of a row in words.
-fn in_words(row: &mut BTreeMap<String, String>) {
+fn in_words(row: &mut Row) {
     let Some(state) = row.get_mut("limit_state") else { return };
     let words = [
         ("zeta>", "ζ above ", ""),

@@ -1,16 +1,11 @@
 //! A run in short: what was asked, what was found, and how sure that is.
 
-use std::collections::BTreeMap;
-
 use serde_json::Value;
 use topple::results::earlier::Kind;
 
-use super::folder::{Folder, ReportError, Rows};
-use super::tables::{number, percent, shown};
+use super::folder::{Folder, ReportError, Row, Rows};
+use super::tables::{number, percent, shown, value};
 use super::{findings, fragility};
-
-/// A row of a table, by its columns.
-type Row = BTreeMap<String, String>;
 
 /// Devices that are named.
 const NAMED: usize = 6;
@@ -74,7 +69,7 @@ fn map(folder: &Folder) -> Vec<String> {
 }
 
 fn suite(rows: &Rows) -> Vec<String> {
-    let peaks = rows.iter().filter_map(|row| row.get("pga_h")?.parse::<f64>().ok());
+    let peaks = rows.iter().filter_map(|row| value(row, "pga_h"));
     let (least, most) = peaks.fold((f64::MAX, 0.0_f64), |(a, b), peak| (a.min(peak), b.max(peak)));
     let peaks = match most >= least {
         true => format!(", with horizontal peaks from {} to {} m/s²", number(least), number(most)),
@@ -133,11 +128,6 @@ fn devices(rows: &Rows) -> Vec<String> {
         ));
     }
     told
-}
-
-/// A number of a row.
-fn value(row: &Row, column: &str) -> Option<f64> {
-    row.get(column)?.parse().ok()
 }
 
 fn share(row: &Row, column: &str) -> String {

@@ -1,11 +1,9 @@
 //! Numbers and tables as readers want them.
 
-use std::collections::BTreeMap;
-
 use topple::scene::record::rounded;
 
 use super::document::Piece;
-use super::folder::Rows;
+use super::folder::{Row, Rows};
 
 /// Most rows of a table that are printed; the whole table lies in the run's directory.
 pub const ROWS: usize = 24;
@@ -23,8 +21,13 @@ pub fn percent(share: f64) -> String {
     }
 }
 
+/// The number in a cell of a table; none where the cell holds none.
+pub fn value(row: &Row, column: &str) -> Option<f64> {
+    row.get(column)?.parse().ok()
+}
+
 /// A cell of a table as a reader wants it: numbers with three digits.
-pub fn shown(row: &BTreeMap<String, String>, column: &str) -> String {
+pub fn shown(row: &Row, column: &str) -> String {
     let Some(text) = row.get(column).filter(|text| !text.is_empty()) else { return "–".into() };
     text.parse().map_or_else(|_| text.clone(), number)
 }

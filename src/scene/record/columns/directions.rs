@@ -91,13 +91,10 @@ pub(super) fn azimuth_of_column(name: &str) -> Option<f64> {
 fn is_down(name: &str) -> bool {
     let plain = without_brackets(name);
     let mut words = plain.split(|c: char| !c.is_alphabetic()).filter(|word| !word.is_empty());
+    let is_way = |word: &str| ["down", "dwn"].contains(&word);
     let beside = ["a", "acc", "accel", "acceleration", "comp", "component", "ch", "channel"];
-    let (mut down, mut others) = (false, false);
-    words.by_ref().for_each(|word| match word {
-        "down" | "dwn" => down = true,
-        _ => others |= !beside.contains(&word) && !Units::are_meant(word),
-    });
-    down && !others
+    let known = |word: &str| is_way(word) || beside.contains(&word) || Units::are_meant(word);
+    words.clone().any(is_way) && words.all(known)
 }
 
 /// The direction that a column's name tells: `NS (g)`, `acc-UD`, `IWT010.UD1`, `HNZ`, `Up-Down`, `Z (down)`.

@@ -180,9 +180,7 @@ pub(super) fn stated(line: &str) -> Option<Polarity> {
     let words = split(&line);
     let of_axis = line.contains("axis") || words.iter().any(|(_, one)| *one == Word::Vertical);
     let mut ways = Vec::new();
-    let signed = |one: &str| line.replace(' ', "").contains(one);
-    let has_way = words.iter().any(|(_, kind)| matches!(kind, Word::Way(_)));
-    let mut unclear = is_unclear(&words) || has_way && (signed("=+1") || signed("=-1"));
+    let mut unclear = is_unclear(&line, &words);
     // What stands between other words is read by itself.
     for part in words.split(|(_, kind)| *kind == Word::Other) {
         match of_part(part, of_axis) {
@@ -234,20 +232,20 @@ fn of_part(words: &[(&str, Word)], of_axis: bool) -> Option<Polarity> {
     }
     let has_key = items.iter().any(|item| matches!(item, Word::Key(_) | Word::Minus));
     let has_way = items.iter().any(|item| matches!(item, Word::Way(_)));
-    match (&items[..], has_key && has_way) {
-        (_, true) => {
-            let pairs: Option<Vec<Pair>> = items.chunks(2).map(pair).collect();
-            let Some(pairs) = pairs.filter(|_| !turned) else { return Some(Polarity::Unclear) };
-            let told = pairs.iter().any(|(_, sure)| *sure);
-            let way = pairs.first().map(|(way, _)| *way)?;
-            let agree = pairs.iter().all(|(other, _)| *other == way);
-            Some(if agree && told { Polarity::Way(way) } else { Polarity::Unclear })
-        }
-        ([Word::Points, Word::Way(way)], _) if of_axis => Some(Polarity::Way(*way)),
-        ([Word::Way(way)], _) => {
+    if has_key && has_way {
+        let pairs: Option<Vec<Pair>> = items.chunks(2).map(pair).collect();
+        let Some(pairs) = pairs.filter(|_| !turned) else { return Some(Polarity::Unclear) };
+        let told = pairs.iter().any(|(_, sure)| *sure);
+        let way = pairs.first().map(|(way, _)| *way)?;
+        let agree = pairs.iter().all(|(other, _)| *other == way);
+        return Some(if agree && told { Polarity::Way(way) } else { Polarity::Unclear });
+    }
+    match items[..] {
+        [Word::Points, Word::Way(way)] if of_axis => Some(Polarity::Way(way)),
+        [Word::Way(way)] => {
             let beside =
                 |pair: &[(&str, Word)]| matches!(pair, [(_, Word::Vertical), (_, Word::Way(_))]);
-            words.windows(2).any(beside).then_some(Polarity::Way(*way))
+            words.windows(2).any(beside).then_some(Polarity::Way(way))
         }
         _ => None,
     }
@@ -265,12 +263,13 @@ fn pair(items: &[Word]) -> Option<Pair> {
     }
 }
 
-/// True of words that speak of a sign of which nothing was found.
-fn is_unclear(words: &[(&str, Word)]) -> bool {
+/// True of a line and its words that speak of a sign, of which a way may not be found.
+fn is_unclear(line: &str, words: &[(&str, Word)]) -> bool {
     let has = |of: &[&str]| words.iter().any(|(text, _)| of.contains(text));
     let turned = has(&["reversed", "inverted", "flipped", "upside", "opposite"]);
     let of_sign = has(&["sign", "signs", "component", "sensor", "channel"]);
-    let is_vertical = words.iter().any(|(_, kind)| *kind == Word::Vertical);
+    let any = |is: fn(&Word) -> bool| words.iter().any(|(_, kind)| is(kind));
+    let is_vertical = any(|kind| *kind == Word::Vertical);
     let is_normal = has(&["normal", "standard"]) && !turned;
     let of_horizontal = |pair: &[(&str, Word)]| match pair {
         [(_, Word::Key(_)), (_, other)] | [(_, other), (_, Word::Key(_))] => {
@@ -278,15 +277,16 @@ fn is_unclear(words: &[(&str, Word)]) -> bool {
         }
         _ => false,
     };
-    let signed = words.iter().any(|(_, kind)| matches!(kind, Word::Key(true)))
-        && !words.windows(2).any(of_horizontal);
-    let has_way = words.iter().any(|(_, kind)| matches!(kind, Word::Way(_)));
-    let minus = words.iter().any(|(_, kind)| matches!(kind, Word::Minus | Word::Key(false)));
-    let key = words.iter().any(|(_, kind)| matches!(kind, Word::Key(_)));
-    signed && !has(&SIZE) && !is_normal
+    let positive = any(|kind| *kind == Word::Key(true));
+    let negative = any(|kind| matches!(kind, Word::Minus | Word::Key(false)));
+    let has_way = any(|kind| matches!(kind, Word::Way(_)));
+    let tight = line.replace(' ', "");
+    let of_one = ["=+1", "=-1"].iter().any(|one| tight.contains(one));
+    let has_sign = positive || negative || of_one || has(&["sign", "signs"]);
+    positive && !words.windows(2).any(of_horizontal) && !has(&SIZE) && !is_normal
         || turned && (of_sign || is_vertical)
-        || has_way && (key || has(&["sign", "signs"]) || is_vertical)
-        || minus && (has_way || is_vertical)
+        || has_way && (has_sign || is_vertical)
+        || negative && is_vertical
 }
 
 #[cfg(test)]
