@@ -3,6 +3,7 @@
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Barrier;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
@@ -129,7 +130,15 @@ fn adapters_that_vanish_lose_nothing() {
     let (four, took) = sweep(4, |_, _| None);
     assert!(took.unwrap().lost.is_empty() && four == alone);
     let lost = || BackendError::Lost("unplugged".into());
-    let (left, took) = sweep(3, |worker, done| (worker > 0 && done >= worker).then(lost));
+    // The worker that stays waits until the others are gone: alone it could be done before they begin.
+    let vanished = Barrier::new(3);
+    let (left, took) = sweep(3, |worker, done| {
+        let vanishes = worker > 0 && done >= worker;
+        if vanishes || (worker, done) == (0, 0) {
+            vanished.wait();
+        }
+        vanishes.then(lost)
+    });
     let gone: Vec<usize> = took.unwrap().lost.iter().map(|(worker, _)| *worker).collect();
     assert!(left == alone && gone.len() == 2 && !gone.contains(&0), "{gone:?}");
     let (left, took) = sweep(2, |worker, _| {
