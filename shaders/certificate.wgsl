@@ -138,7 +138,12 @@ fn is_final(cell: Cell, state: State) -> bool {
     }
     if accelerations {
         // In full contact plate and block move alike.
-        if !(stays && more * min(state.acc_plate, state.acc_block) >= x_most) {
+        let least = more * min(state.acc_plate, state.acc_block);
+        let least_total = more * min(state.acc_plate_total, state.acc_block_total);
+        let y_most = model.gravity + y_swing;
+        let held = least >= x_most && least_total * least_total >= x_most * x_most + y_most * y_most;
+        let load = base_load(y_most, y_most, model.gravity);
+        if !(stays && held && more * state.base_load >= load) {
             return false;
         }
     }

@@ -5,7 +5,7 @@
 override angles: bool = true;
 override displacements: bool = true;
 override forces: bool = true;
-// The largest accelerations of plate and block; the largest force on the end stop, and how often it is met.
+// The largest accelerations of plate and block, and what the base carries; the largest force on the end stop, and how often it is met.
 override accelerations: bool = false;
 override stop_values: bool = false;
 
@@ -98,11 +98,38 @@ fn update_motion(state: ptr<function, State>, y0: Motion, y1: Motion, h: real) {
     }
 }
 
-// The largest magnitude of a quantity: the larger of the one so far and that of the parabola through its values at a
-// span's start, middle and end.
+// The largest value of a quantity: the larger of the one so far and that of the parabola through its values at a span's
+// start, middle and end.
 fn highest(so_far: real, start: real, mid: real, end: real) -> real {
-    let top = crest(abs(start), abs(mid), abs(end));
-    return max(so_far, max(max(abs(start), abs(mid)), max(abs(end), top)));
+    return max(so_far, max(max(start, mid), max(end, crest(start, mid, end))));
+}
+
+// Accelerations of the upper plate and of the block's centre of mass at an instant, and what the base carries, m/s^2.
+struct Accelerations {
+    // Magnitude of the upper plate's horizontal acceleration.
+    plate: real,
+    // The same of the centre of mass.
+    block: real,
+    // Magnitude of the upper plate's acceleration with gravity: g at rest.
+    plate_total: real,
+    // The same of the centre of mass: the contact force over M.
+    block_total: real,
+    // Vertical force that the base carries over M: of the block and of the plates.
+    load: real,
+}
+
+// Those that belong to second derivatives of u and v, to a contact force and to the ground's accelerations.
+fn accelerations_of(ddu: real, ddv: real, contact: Contact, ground: Ground) -> Accelerations {
+    let plate_h = ddu + ground.h;
+    let below = ground.v + model.gravity;
+    let plate_v = ddv + below;
+    return Accelerations(
+        abs(plate_h),
+        abs(contact.shear),
+        sqrt(plate_h * plate_h + plate_v * plate_v),
+        sqrt(contact.shear * contact.shear + contact.normal * contact.normal),
+        base_load(contact.normal, plate_v, below),
+    );
 }
 
 // The end stop's force over M_t, and its rate; zero where the base is not against it.
@@ -119,18 +146,14 @@ fn stop_end(cell: Cell, y: Motion, k: Rates) -> StopEnd {
     return StopEnd(select(zero, force, on), select(zero, rate, on));
 }
 
-// Updates the largest accelerations by those of plate and block at a span's start, middle and end.
-fn update_accelerations(
-    state: ptr<function, State>,
-    plate_start: real,
-    plate_mid: real,
-    plate_end: real,
-    start: Contact,
-    mid: Contact,
-    end: Contact,
-) {
-    (*state).acc_plate = highest((*state).acc_plate, plate_start, plate_mid, plate_end);
-    (*state).acc_block = highest((*state).acc_block, start.shear, mid.shear, end.shear);
+// Updates the largest accelerations, and what the base carries, by those at a span's start, middle and end.
+fn update_accelerations(state: ptr<function, State>, start: Accelerations, mid: Accelerations, end: Accelerations) {
+    let so_far = *state;
+    (*state).acc_plate = highest(so_far.acc_plate, start.plate, mid.plate, end.plate);
+    (*state).acc_block = highest(so_far.acc_block, start.block, mid.block, end.block);
+    (*state).acc_plate_total = highest(so_far.acc_plate_total, start.plate_total, mid.plate_total, end.plate_total);
+    (*state).acc_block_total = highest(so_far.acc_block_total, start.block_total, mid.block_total, end.block_total);
+    (*state).base_load = highest(so_far.base_load, start.load, mid.load, end.load);
 }
 
 // Updates the largest force on the end stop by that at the ends of a span of `h` seconds, and counts a base that has met it

@@ -75,6 +75,23 @@ fn pressure(f_v: real, ground: Ground) -> real {
     return below + above * (f_v - below);
 }
 
+// The vertical force that the base carries over M, m/s^2, from the normal contact force over M and the vertical
+// accelerations, with gravity, of the upper plate and of the ground: m_v moves with the upper plate, m_h with the ground.
+// A vertical isolation alone stands on m_h, and without isolation the block stands on the ground.
+fn base_load(normal: real, plate: real, ground: real) -> real {
+    var load = normal;
+    // M_v/M, where the plate m_v moves otherwise than the ground.
+    var above: real = 1.0;
+    if isolated_v {
+        above = model.inverse_mu_v;
+        load = load + (above - 1.0) * plate;
+    }
+    if isolated_h {
+        load = load + (model.inverse_mu_h - above) * ground;
+    }
+    return load;
+}
+
 // The force of the end stop over M_t against the base's displacement on a side, positive where it is compressed.
 fn stop_force(cell: Cell, side: real, y: Motion) -> real {
     return cell.stop_damping * side * y.du + cell.stop_stiffness * (side * y.u - cell.stop_gap);

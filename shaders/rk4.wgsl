@@ -5,6 +5,7 @@ struct Stepped {
     y: Motion,
     mid: Contact,
     mid_ddu: real,
+    mid_ddv: real,
     k4: Rates,
 }
 
@@ -66,7 +67,7 @@ fn rk4(
     // Halfway the displacement of one stage lags by h^2/8 of its acceleration and that of the other
     // leads by as much.
     let mid = Contact(0.5 * (k2.shear + k3.shear), 0.5 * (k2.normal + k3.normal));
-    return Stepped(end, mid, 0.5 * (k2.ddu + k3.ddu), k4);
+    return Stepped(end, mid, 0.5 * (k2.ddu + k3.ddu), 0.5 * (k2.ddv + k3.ddv), k4);
 }
 
 // Value at the fraction `at` of the cubic through two ends with their slopes over `h`.

@@ -151,12 +151,9 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         if accelerations {
             update_accelerations(
                 state,
-                k1.ddu + ground.h,
-                stepped.mid_ddu + ground_mid.h,
-                k_end.ddu + ground_end.h,
-                contact_of(k1),
-                stepped.mid,
-                contact_of(k_end),
+                accelerations_of(k1.ddu, k1.ddv, contact_of(k1), ground),
+                accelerations_of(stepped.mid_ddu, stepped.mid_ddv, stepped.mid, ground_mid),
+                accelerations_of(k_end.ddu, k_end.ddv, contact_of(k_end), ground_end),
             );
         }
         if stop_values {

@@ -54,10 +54,12 @@ _MOTION = {
     "ground_h": {"meaning": "the ground's horizontal acceleration", "unit": "m/s^2"},
     "ground_v": {"meaning": "the ground's vertical acceleration", "unit": "m/s^2"},
     "acc_plate": {"meaning": "absolute horizontal acceleration of the upper plate", "unit": "m/s^2"},
+    "acc_plate_v": {"meaning": "its vertical acceleration, without gravity", "unit": "m/s^2"},
     "acc_block": {"meaning": "absolute horizontal acceleration of the block's centre of mass", "unit": "m/s^2"},
     "acc_block_v": {"meaning": "its vertical acceleration, without gravity", "unit": "m/s^2"},
     "n": {"meaning": "normal force between block and base", "unit": "N"},
     "s": {"meaning": "horizontal force between block and base", "unit": "N"},
+    "base_load": {"meaning": "vertical force that the base carries", "unit": "N"},
 }
 
 #: Numbers of a motion's outcome that its attributes have.

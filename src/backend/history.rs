@@ -92,14 +92,16 @@ pub fn events(rows: &[Row], outcome: &Outcome) -> Vec<(Event, Row)> {
 pub type OfForces = fn(&Forces) -> f64;
 
 /// Columns of the forces and of the ground's accelerations: accelerations in m/s² without gravity, forces in N.
-pub const FORCE_COLUMNS: [(&str, OfForces); 7] = [
+pub const FORCE_COLUMNS: [(&str, OfForces); 9] = [
     ("ground_h", |forces| forces.ground_h),
     ("ground_v", |forces| forces.ground_v),
     ("acc_plate", |forces| forces.acc_plate),
+    ("acc_plate_v", |forces| forces.acc_plate_v),
     ("acc_block", |forces| forces.acc_block),
     ("acc_block_v", |forces| forces.acc_block_v),
     ("n", |forces| forces.normal),
     ("s", |forces| forces.shear),
+    ("base_load", |forces| forces.base_load),
 ];
 
 /// The forces and the ground's accelerations at each row of a motion.

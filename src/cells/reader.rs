@@ -18,8 +18,8 @@ pub struct Reader {
     critical: [f64; 2],
     /// The static deflection, m.
     deflection: f64,
-    /// M_t, kg.
-    carried: f64,
+    /// M and M_t, kg.
+    masses: [f64; 2],
     /// What was looked for.
     asked: Asked,
 }
@@ -33,8 +33,9 @@ impl Reader {
     pub fn of(case: &Case, asked: Asked) -> Reader {
         let critical = [1.0, -1.0].map(|side| case.block.critical_angle(side));
         let deflection = case.deflection();
-        let carried = case.block.mass + case.isolation.plate_h + case.isolation.plate_v;
-        Reader { t_max: case.t_max, tilted: case.tilt != 0.0, critical, deflection, carried, asked }
+        let mass = case.block.mass;
+        let masses = [mass, mass + case.isolation.plate_h + case.isolation.plate_v];
+        Reader { t_max: case.t_max, tilted: case.tilt != 0.0, critical, deflection, masses, asked }
     }
 
     /// The outcome of a cell of this clock whose last state is `state`; what was not looked for is not a number.
@@ -64,6 +65,9 @@ impl Reader {
         let ended = matches!(state.status, FINISHED | PROVED);
         let Asked { angles, displacements, forces, accelerations, stops } = self.asked;
         let known = |looked_for: bool, value: f64| if looked_for { value } else { f64::NAN };
+        // As many digits as the number type has.
+        let rounded = |value: f64| R::of(value).to_f64();
+        let [mass, carried] = self.masses;
         Outcome {
             class,
             impacts: state.impacts,
@@ -76,15 +80,17 @@ impl Reader {
             max_phi_left: known(angles, left),
             max_phi_right: known(angles, right),
             max_u: known(displacements, state.max_u.to_f64()),
-            // As many digits as the number type has.
-            max_v: known(displacements, R::of(max_v).to_f64()),
+            max_v: known(displacements, rounded(max_v)),
             stroke_v: known(displacements, most_v.max(-least_v)),
             min_contact: known(forces, state.min_contact.to_f64()),
             friction: known(forces, state.friction.to_f64()),
             status,
             acc_plate: known(accelerations, state.acc_plate.to_f64()),
             acc_block: known(accelerations, state.acc_block.to_f64()),
-            stop_force: known(stops, R::of(self.carried * state.stop_force.to_f64()).to_f64()),
+            acc_plate_total: known(accelerations, state.acc_plate_total.to_f64()),
+            acc_block_total: known(accelerations, state.acc_block_total.to_f64()),
+            base_load: known(accelerations, rounded(mass * state.base_load.to_f64())),
+            stop_force: known(stops, rounded(carried * state.stop_force.to_f64())),
             // A whole number, far below 2^32.
             stop_hits: state.stop_hits.to_f64() as u32,
         }

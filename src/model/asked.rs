@@ -10,7 +10,8 @@ pub struct Asked {
     pub displacements: bool,
     /// The least contact force and the friction asked for.
     pub forces: bool,
-    /// The largest horizontal accelerations of the upper plate and of the centre of mass.
+    /// The largest accelerations of the upper plate and of the centre of mass, and the largest force that the base
+    /// carries.
     pub accelerations: bool,
     /// The largest force on the end stop, and how often the base meets it.
     pub stops: bool,

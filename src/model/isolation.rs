@@ -145,6 +145,26 @@ pub fn pressure<R: Number>(set: &CellEquations<R>, f_v: R, ground: Ground<R>) ->
     above.mul_add(f_v - below, below)
 }
 
+/// The vertical force that the base carries over M, m/s^2, from the normal contact force over M and the vertical
+/// accelerations, with gravity, of the upper plate and of the ground: m_v moves with the upper plate, m_h with the ground.
+/// A vertical isolation alone stands on m_h, and without isolation the block stands on the ground.
+#[inline(always)]
+pub fn base_load<R: Number>(set: &CellEquations<R>, normal: R, plate: R, ground: R) -> R {
+    let (variant, model) = (set.variant, set.model);
+    let one = normal.like(1.0);
+    let mut load = normal;
+    // M_v/M, where the plate m_v moves otherwise than the ground.
+    let mut above = one;
+    if variant.isolated_v {
+        above = model.inverse_mu_v;
+        load = (above - one).mul_add(plate, load);
+    }
+    if variant.isolated_h {
+        load = (model.inverse_mu_h - above).mul_add(ground, load);
+    }
+    load
+}
+
 /// The force of the end stop over M_t against the base's displacement on a side, +1 or -1, m/s^2: positive where it is
 /// compressed.
 #[inline(always)]

@@ -112,7 +112,13 @@ impl ColumnSet {
             angles: any(&[Column::Zeta, Column::MaxPhiLeft, Column::MaxPhiRight]),
             displacements: any(&[Column::MaxU, Column::MaxV, Column::StrokeV]),
             forces: any(&[Column::MinContact, Column::Friction]),
-            accelerations: any(&[Column::AccPlate, Column::AccBlock]),
+            accelerations: any(&[
+                Column::AccPlate,
+                Column::AccBlock,
+                Column::AccPlateTotal,
+                Column::AccBlockTotal,
+                Column::BaseLoad,
+            ]),
             stops: any(&[Column::StopForce, Column::StopHits]),
         }
     }
@@ -192,7 +198,7 @@ mod tests {
         for names in ["min_contact", "friction_demand"] {
             assert_eq!(of(names), [false, false, true, false, false]);
         }
-        for names in ["acc_plate", "acc_block"] {
+        for names in ["acc_plate", "acc_block", "acc_plate_total", "acc_block_total", "base_load"] {
             assert_eq!(of(names), [false, false, false, true, false]);
         }
         for names in ["stop_force", "stop_hits"] {
@@ -200,7 +206,7 @@ mod tests {
         }
         let others = "outcome,impacts,uplifts,t_end,t_uplift,status,t_simulated";
         assert_eq!(of(others), [false; 5]);
-        assert_eq!(TABLE.len(), 12 + others.split(',').count());
+        assert_eq!(TABLE.len(), 15 + others.split(',').count());
     }
 
     #[test]

@@ -201,6 +201,17 @@ columns! {
     /// The acceleration of the centre of mass, m/s^2.
     AccBlock = acc_block: f64, "acc_block", "m/s²",
         "largest absolute horizontal acceleration of the block's centre of mass; only where it is asked for";
+    /// The acceleration of the plate with gravity, m/s^2.
+    AccPlateTotal = acc_plate_total: f64, "acc_plate_total", "m/s²",
+        "largest acceleration of the upper plate with gravity, horizontal and vertical together: what an accelerometer on it \
+         measures, 9.81 at rest; only where it is asked for";
+    /// The acceleration of the centre of mass with gravity, m/s^2.
+    AccBlockTotal = acc_block_total: f64, "acc_block_total", "m/s²",
+        "the same of the block's centre of mass; only where it is asked for";
+    /// What the base carries, N.
+    BaseLoad = base_load: f64, "base_load", "N",
+        "largest vertical force that the base carries: of block and plates on a horizontal or dual isolation, of block and upper \
+         plate on a vertical one, of the block without isolation; only where it is asked for";
     /// The force on the end stop, N.
     StopForce = stop_force: f64, "stop_force", "N",
         "largest force on the end stop; only where it is asked for";

@@ -24,6 +24,7 @@
 
 use crate::model::CellEquations;
 use crate::model::block::Corner;
+use crate::model::isolation::base_load;
 use crate::model::motion::Motion;
 use crate::model::number::Number;
 use crate::model::real::{Real, Vector};
@@ -193,7 +194,12 @@ pub fn is_final<V: Vector>(
     if variant.asked.accelerations {
         // In full contact plate and block move alike.
         let least = more * extremes.acc_plate.min(extremes.acc_block);
-        last = last & stays & least.ge(x_most);
+        let least_total = more * extremes.acc_plate_total.min(extremes.acc_block_total);
+        let y_most = model.gravity + y_swing;
+        let held = least.ge(x_most)
+            & (least_total * least_total).ge(x_most.mul_add(x_most, y_most * y_most));
+        let load = base_load(set, y_most, y_most, model.gravity);
+        last = last & stays & held & (more * extremes.base_load).ge(load);
     }
     if !variant.asked.forces {
         return last;

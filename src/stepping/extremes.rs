@@ -3,7 +3,8 @@
 use crate::model::CellEquations;
 use crate::model::asked::Asked;
 use crate::model::dynamics::{Contact, Rates};
-use crate::model::isolation::stop_force;
+use crate::model::excitation::Ground;
+use crate::model::isolation::{base_load, stop_force};
 use crate::model::layout::reals;
 use crate::model::motion::Motion;
 use crate::model::number::Number;
@@ -32,6 +33,12 @@ pub struct Extremes<R> {
     pub acc_plate: R,
     /// Largest horizontal acceleration of the centre of mass, m/s^2.
     pub acc_block: R,
+    /// Largest acceleration of the upper plate with gravity, m/s^2.
+    pub acc_plate_total: R,
+    /// Largest acceleration of the centre of mass with gravity, m/s^2.
+    pub acc_block_total: R,
+    /// Largest vertical force that the base carries over M, m/s^2.
+    pub base_load: R,
     /// Largest force of the end stop over M_t, m/s^2.
     pub stop_force: R,
     /// How often the base met its end stop.
@@ -39,8 +46,8 @@ pub struct Extremes<R> {
 }
 
 reals!(
-    Extremes, 11, max_phi_left max_phi_right max_u least_v most_v min_contact friction acc_plate acc_block stop_force
-    stop_hits
+    Extremes, 14, max_phi_left max_phi_right max_u least_v most_v min_contact friction acc_plate acc_block acc_plate_total
+    acc_block_total base_load stop_force stop_hits
 );
 
 /// The most of t (1 - t)^2 in a span: what a cubic's slope at an end can add to its values.
@@ -119,13 +126,52 @@ pub fn bend<N: Number>(start: N, mid: N, end: N) -> N {
     mid.like(0.125) * (start - mid.like(2.0) * mid + end).abs()
 }
 
-/// The largest magnitude of a quantity in some lanes: the larger of the one so far and that of the parabola through its
-/// values at a span's start, middle and end.
+/// The largest value of a quantity in some lanes: the larger of the one so far and that of the parabola through its values
+/// at a span's start, middle and end.
 #[inline(always)]
-fn highest<N: Number>(lanes: N::Mask, so_far: N, [start, mid, end]: [N; 3]) -> N {
-    let (start, mid, end) = (start.abs(), mid.abs(), end.abs());
+fn highest<N: Number>(lanes: N::Mask, so_far: N, start: N, mid: N, end: N) -> N {
     let most = start.max(mid).max(end).max(crest(start, mid, end));
     N::select(lanes, so_far.max(most), so_far)
+}
+
+/// Accelerations of the upper plate and of the block's centre of mass at an instant, and what the base carries, m/s^2.
+#[derive(Debug, Clone, Copy)]
+pub struct Accelerations<R> {
+    /// Magnitude of the upper plate's horizontal acceleration.
+    plate: R,
+    /// The same of the centre of mass.
+    block: R,
+    /// Magnitude of the upper plate's acceleration with gravity: g at rest.
+    plate_total: R,
+    /// The same of the centre of mass: the contact force over M.
+    block_total: R,
+    /// Vertical force that the base carries over M: of the block and of the plates.
+    load: R,
+}
+
+impl<N: Number> Accelerations<N> {
+    /// Those that belong to second derivatives of u and v, to a contact force and to the ground's accelerations.
+    #[inline(always)]
+    pub fn of(
+        set: &CellEquations<N>,
+        [ddu, ddv]: [N; 2],
+        contact: Contact<N>,
+        ground: Ground<N>,
+    ) -> Accelerations<N> {
+        let plate_h = ddu + ground.h;
+        let below = ground.v + set.model.gravity;
+        let plate_v = ddv + below;
+        Accelerations {
+            plate: plate_h.abs(),
+            block: contact.shear.abs(),
+            plate_total: plate_h.mul_add(plate_h, plate_v * plate_v).sqrt(),
+            block_total: contact
+                .shear
+                .mul_add(contact.shear, contact.normal * contact.normal)
+                .sqrt(),
+            load: base_load(set, contact.normal, plate_v, below),
+        }
+    }
 }
 
 /// The end stop's force over M_t at one end of a span, m/s^2, and its rate there; zero where the base is not against it.
@@ -184,11 +230,22 @@ impl<N: Number> Extremes<N> {
         self.max_phi_right = N::select(left, self.max_phi_right, angle);
     }
 
-    /// Updates the largest accelerations of some lanes by those of plate and block at a span's start, middle and end.
+    /// Updates the largest accelerations of some lanes, and what their base carries, by those at a span's start, middle and
+    /// end.
     #[inline(always)]
-    pub fn update_accelerations(&mut self, lanes: N::Mask, plate: [N; 3], block: [N; 3]) {
-        self.acc_plate = highest(lanes, self.acc_plate, plate);
-        self.acc_block = highest(lanes, self.acc_block, block);
+    pub fn update_accelerations(
+        &mut self,
+        lanes: N::Mask,
+        [start, mid, end]: [&Accelerations<N>; 3],
+    ) {
+        macro_rules! update {
+            ($($most:ident $of:ident)*) => {
+                $(self.$most = highest(lanes, self.$most, start.$of, mid.$of, end.$of);)*
+            };
+        }
+        update!(
+            acc_plate plate acc_block block acc_plate_total plate_total acc_block_total block_total base_load load
+        );
     }
 
     /// Updates the largest force on the end stop of some lanes by that at the ends of a span of `h` seconds, and counts

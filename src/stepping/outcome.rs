@@ -137,6 +137,12 @@ pub struct Outcome {
     pub acc_plate: f64,
     /// Largest absolute horizontal acceleration of the centre of mass, m/s^2.
     pub acc_block: f64,
+    /// Largest acceleration of the upper plate with gravity, m/s^2: what an accelerometer on it measures, g at rest.
+    pub acc_plate_total: f64,
+    /// The same of the centre of mass.
+    pub acc_block_total: f64,
+    /// Largest vertical force that the base carries, N: of the block and of the plates above its device.
+    pub base_load: f64,
     /// Largest force on the end stop, N.
     pub stop_force: f64,
     /// How often the base met its end stop.
@@ -151,8 +157,10 @@ impl PartialEq for Outcome {
         let numbers = |of: &Outcome| {
             let angles = [of.zeta, of.max_phi_left, of.max_phi_right];
             let motions = [of.t_end, of.t_simulated, of.max_u, of.max_v, of.stroke_v];
-            let forces = [of.min_contact, of.friction, of.acc_plate, of.acc_block, of.stop_force];
-            angles.into_iter().chain(motions).chain(forces)
+            let forces = [of.min_contact, of.friction, of.base_load, of.stop_force];
+            let accelerations =
+                [of.acc_plate, of.acc_block, of.acc_plate_total, of.acc_block_total];
+            angles.into_iter().chain(motions).chain(forces).chain(accelerations)
         };
         let same = |(one, other): (f64, f64)| one == other || (one.is_nan() && other.is_nan());
         counts(self) == counts(other) && numbers(self).zip(numbers(other)).all(same)
@@ -199,6 +207,9 @@ impl Outcome {
         status: Status::Undecided,
         acc_plate: 0.0,
         acc_block: 0.0,
+        acc_plate_total: 0.0,
+        acc_block_total: 0.0,
+        base_load: 0.0,
         stop_force: 0.0,
         stop_hits: 0,
     };

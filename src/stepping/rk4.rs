@@ -14,8 +14,8 @@ pub struct Stepped<R> {
     pub y: Motion<R>,
     /// The contact force halfway, for the uplift condition and the extremes.
     pub mid: Contact<R>,
-    /// The second derivative of u halfway, where accelerations are requested.
-    pub mid_ddu: R,
+    /// The second derivatives of u and v halfway, where accelerations are requested.
+    pub mid_base: [R; 2],
     /// The rates of the last stage: those at the end, but for terms of third order in the step.
     pub k4: Rates<R>,
 }
@@ -91,11 +91,11 @@ pub fn rk4<R: Number>(
         shear: h.like(0.5) * (k2.shear + k3.shear),
         normal: h.like(0.5) * (k2.normal + k3.normal),
     };
-    let mid_ddu = match set.variant.asked.accelerations {
-        true => h.like(0.5) * (k2.ddu + k3.ddu),
-        false => h,
+    let mid_base = match set.variant.asked.accelerations {
+        true => [h.like(0.5) * (k2.ddu + k3.ddu), h.like(0.5) * (k2.ddv + k3.ddv)],
+        false => [h; 2],
     };
-    Stepped { y: end, mid, mid_ddu, k4 }
+    Stepped { y: end, mid, mid_base, k4 }
 }
 
 /// Value at the fraction `at` of the cubic through two ends with their slopes over `h`.

@@ -49,6 +49,12 @@ pub struct State<R> {
     pub acc_plate: R,
     /// Largest horizontal acceleration of the centre of mass, m/s^2.
     pub acc_block: R,
+    /// Largest acceleration of the upper plate with gravity, m/s^2.
+    pub acc_plate_total: R,
+    /// Largest acceleration of the centre of mass with gravity, m/s^2.
+    pub acc_block_total: R,
+    /// Largest vertical force that the base carries over M, m/s^2.
+    pub base_load: R,
     /// Largest force of the end stop over M_t, m/s^2.
     pub stop_force: R,
     /// How often the base met its end stop.
@@ -71,7 +77,7 @@ pub struct State<R> {
     pub status: u32,
 }
 
-pod!(State, reals: 20, words: 6);
+pod!(State, reals: 23, words: 6);
 
 impl<R: Real> State<R> {
     /// The largest and least values so far.
@@ -86,6 +92,9 @@ impl<R: Real> State<R> {
             friction: self.friction,
             acc_plate: self.acc_plate,
             acc_block: self.acc_block,
+            acc_plate_total: self.acc_plate_total,
+            acc_block_total: self.acc_block_total,
+            base_load: self.base_load,
             stop_force: self.stop_force,
             stop_hits: self.stop_hits,
         }
@@ -103,6 +112,9 @@ impl<R: Real> State<R> {
         self.friction = extremes.friction;
         self.acc_plate = extremes.acc_plate;
         self.acc_block = extremes.acc_block;
+        self.acc_plate_total = extremes.acc_plate_total;
+        self.acc_block_total = extremes.acc_block_total;
+        self.base_load = extremes.base_load;
         self.stop_force = extremes.stop_force;
         self.stop_hits = extremes.stop_hits;
     }

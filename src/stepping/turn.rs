@@ -11,7 +11,7 @@ use crate::model::motion::Motion;
 use crate::model::real::{Real, Vector};
 
 use super::certificate::STEPS_A_TRY;
-use super::extremes::stop_ends;
+use super::extremes::{Accelerations, stop_ends};
 use super::guards::{EVENT_BOUND, GuardSample};
 use super::lanes::Lanes;
 use super::log::Listener;
@@ -140,10 +140,11 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             self.extremes.update_contact(moved, k1.contact(), stepped.mid, k_end.contact());
         }
         if variant.asked.accelerations {
-            let plate =
-                [k1.ddu + ground.h, stepped.mid_ddu + ground_mid.h, k_end.ddu + ground_end.h];
-            let block = [k1.shear, stepped.mid.shear, k_end.shear];
-            self.extremes.update_accelerations(moved, plate, block);
+            let set = self.equations();
+            let start = Accelerations::of(&set, [k1.ddu, k1.ddv], k1.contact(), ground);
+            let mid = Accelerations::of(&set, stepped.mid_base, stepped.mid, ground_mid);
+            let end = Accelerations::of(&set, [k_end.ddu, k_end.ddv], k_end.contact(), ground_end);
+            self.extremes.update_accelerations(moved, [&start, &mid, &end]);
         }
         if variant.asked.stops {
             let set = self.equations();

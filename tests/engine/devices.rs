@@ -87,6 +87,10 @@ fn a_slider_stops_where_coulombs_block_does() {
             slid(&cell, slides(mu, a, lasts, GRAVITY + a_v), "follows");
             near(cell.acc_plate, mu * (GRAVITY + a_v.max(0.0)), 1.0e-3, "acceleration");
             near(cell.acc_block, cell.acc_plate, 1.0e-9, "block and plate");
+            let pressing = GRAVITY + a_v.max(0.0);
+            near(cell.acc_plate_total, pressing * (1.0 + mu * mu).sqrt(), 1.0e-4, "with gravity");
+            near(cell.acc_block_total, cell.acc_plate_total, 1.0e-9, "block and plate");
+            near(cell.base_load, CARRIED * pressing, 1.0e-9, "what the slider carries");
         }
         let constant = SceneBuilder { pressure: Some(Pressure::Constant), ..scene };
         for cell in both(&constant) {
@@ -102,7 +106,10 @@ fn a_soft_spring_presses_with_the_weight_above() {
     let (mu, a, a_v, lasts) = (0.1, 3.0, 4.0, 0.2);
     let scene = coulomb(low(Directions::Dual, (a, a_v), lasts, 2.0), mu);
     for cell in both(&scene.with(P::TV, 300.0).with(P::XiV, 0.0)) {
-        slid(&cell, slides(mu, a, lasts, GRAVITY + a_v * PLATE / CARRIED), "on a spring");
+        let pressing = GRAVITY + a_v * PLATE / CARRIED;
+        slid(&cell, slides(mu, a, lasts, pressing), "on a spring");
+        near(cell.base_load, CARRIED * pressing, 1.0e-3, "what the slider carries");
+        near(cell.acc_plate_total, GRAVITY.hypot(mu * pressing), 1.0e-3, "with gravity");
     }
 }
 

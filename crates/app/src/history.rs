@@ -44,8 +44,8 @@ pub struct HistoryCommand {
     record: RecordFlags,
     #[command(flatten)]
     scale: RecordNumbers,
-    /// Further columns of history.csv, or all of them: ground_h, ground_v, acc_plate, acc_block, acc_block_v (m/s², absolute, without
-    /// gravity), n, s (contact forces, N)
+    /// Further columns of history.csv, or all of them: ground_h, ground_v, acc_plate, acc_plate_v, acc_block, acc_block_v
+    /// (m/s², absolute, without gravity), n, s (contact forces, N), base_load (vertical force that the base carries, N)
     #[arg(long, value_name = "NAME,...")]
     columns: Option<MoreColumns>,
     #[command(flatten, next_help_heading = "Computing")]
@@ -117,8 +117,13 @@ fn largest(scene: &Scene, outcome: &Outcome) -> String {
     text += &format!("|phi| {phi:.6} rad; least N/M {:.4} m/s²", outcome.min_contact);
     text += &format!(", friction needed {:.4}", outcome.friction);
     text += &format!(
-        "; accelerations: plate {:.4} m/s², C {:.4} m/s²",
-        outcome.acc_plate, outcome.acc_block
+        "; horizontal accelerations: plate {:.4} m/s², C {:.4} m/s², with gravity and the vertical ones {:.4} and {:.4} m/s²; \
+         the base carries {:.1} N",
+        outcome.acc_plate,
+        outcome.acc_block,
+        outcome.acc_plate_total,
+        outcome.acc_block_total,
+        outcome.base_load
     );
     text
 }

@@ -5,6 +5,7 @@
 //! step's cubic; where it may be a new extreme, the step is redone up to it.
 
 use super::cubic::{Cubic, SAMPLED, SAMPLES, climb, crest};
+use super::forces::Felt;
 use super::step::AcceptedStep;
 use super::system::{DU, PHI, Phase, State, System, U, V};
 use super::trial::Trial;
@@ -27,10 +28,8 @@ pub struct Extremes {
     /// Largest |shear| over normal force, while the latter is positive. Where the normal force
     /// passes zero it has no bound, and this is the largest that was sampled.
     pub friction: f64,
-    /// Largest |horizontal acceleration| of the plate, m/s^2.
-    pub plate: f64,
-    /// Largest |horizontal acceleration| of the centre of mass, m/s^2.
-    pub block: f64,
+    /// The largest accelerations, and what the base carries.
+    pub felt: Felt,
     /// Largest force on the end stop, N.
     pub stop_force: f64,
     /// How often the base met it.
@@ -85,8 +84,7 @@ impl Extremes {
             rest,
             normal: crate::scene::GRAVITY,
             friction: 0.0,
-            plate: 0.0,
-            block: 0.0,
+            felt: Felt::default(),
             stop_force: 0.0,
             stop_hits: 0,
             against: false,
@@ -142,45 +140,39 @@ impl Extremes {
 
     fn update_contact(&mut self, trial: &Trial, cubic: &Cubic) {
         let Trial { system, phase, t, drive, .. } = *trial;
-        let contact = |x: f64, y: &State| system.contact(phase, t + x * cubic.h, drive, y);
         let at_end = |x: f64, y: &State, rate: &State| {
             let accelerations = rate.fixed_rows::<3>(DU).into_owned();
-            system.contact_of(phase, t + x * cubic.h, drive, y, &accelerations)
-        };
-        let plate = |x: f64, y: &State| {
             let at = t + x * cubic.h;
-            system.plate_of(at, drive, system.accelerations(phase, at, drive, y)[0]).abs()
+            let contact = system.contact_of(phase, at, drive, y, &accelerations);
+            (contact, system.felt(at, drive, &accelerations, contact))
+        };
+        let inside = |x: f64, y: &State| {
+            let at = t + x * cubic.h;
+            let accelerations = system.accelerations(phase, at, drive, y);
+            let contact = system.contact_of(phase, at, drive, y, &accelerations);
+            (contact, system.felt(at, drive, &accelerations, contact))
         };
         let first = at_end(0.0, cubic.y0, cubic.d0);
-        let middle = contact(0.5, &cubic.at(0.5));
+        let middle = inside(0.5, &cubic.at(0.5));
         let last = at_end(1.0, cubic.y1, cubic.d1);
-        for end in [first, last] {
-            self.normal = self.normal.min(end.0);
-            self.friction = self.friction.max(ratio(end));
+        for (contact, felt) in [first, last] {
+            self.normal = self.normal.min(contact.0);
+            self.friction = self.friction.max(ratio(contact));
+            self.felt.iter_mut().zip(felt).for_each(|(most, now)| *most = most.max(now));
         }
-        let plates = [
-            system.plate_of(t, drive, cubic.d0[DU]).abs(),
-            plate(0.5, &cubic.at(0.5)),
-            system.plate_of(t + cubic.h, drive, cubic.d1[DU]).abs(),
-        ];
-        let shears = [first, middle, last].map(|(_, shear)| shear.abs());
-        self.plate = self.plate.max(plates[0]).max(plates[2]);
-        self.block = self.block.max(shears[0]).max(shears[2]);
-        let normals = [first, middle, last].map(|(normal, _)| -normal);
-        let ratios = [first, middle, last].map(ratio);
-        if ![
-            may_pass(normals, -self.normal),
-            may_pass(ratios, self.friction),
-            may_pass(plates, self.plate),
-            may_pass(shears, self.block),
-        ]
-        .contains(&true)
+        let three = [first, middle, last];
+        let felt_may_pass = |k: usize| may_pass(three.map(|(_, felt)| felt[k]), self.felt[k]);
+        if !may_pass(three.map(|(contact, _)| -contact.0), -self.normal)
+            && !may_pass(three.map(|(contact, _)| ratio(contact)), self.friction)
+            && !(0..self.felt.len()).any(felt_may_pass)
         {
             return;
         }
-        let between = |x: f64| contact(x, &cubic.at(x));
-        let sampled = [first, between(0.25), middle, between(0.75), last];
-        let exact = |x: f64| contact(x, &trial.step(x * cubic.h).0);
+        let between = |x: f64| inside(x, &cubic.at(x));
+        let five = [first, between(0.25), middle, between(0.75), last];
+        let sampled = five.map(|(contact, _)| contact);
+        let redone = |x: f64| inside(x, &trial.step(x * cubic.h).0);
+        let exact = |x: f64| redone(x).0;
         for middle in 1..SAMPLES - 1 {
             if let Some(low) = crest(&sampled.map(|(normal, _)| -normal), middle)
                 && low.most > -self.normal
@@ -192,17 +184,12 @@ impl Extremes {
             {
                 self.friction = self.friction.max(climb(high.at, |x| ratio(exact(x))).1);
             }
-            if let Some(high) = crest(&sampled.map(|(_, shear)| shear.abs()), middle)
-                && high.most > self.block
-            {
-                self.block = self.block.max(climb(high.at, |x| exact(x).1.abs()).1);
-            }
-            let plates = SAMPLED.map(|x| plate(x, &cubic.at(x)));
-            if let Some(high) = crest(&plates, middle)
-                && high.most > self.plate
-            {
-                let exact = |x: f64| plate(x, &trial.step(x * cubic.h).0);
-                self.plate = self.plate.max(climb(high.at, exact).1);
+            for (k, most) in self.felt.iter_mut().enumerate() {
+                if let Some(high) = crest(&five.map(|(_, felt)| felt[k]), middle)
+                    && high.most > *most
+                {
+                    *most = most.max(climb(high.at, |x| redone(x).1[k]).1);
+                }
             }
         }
     }

@@ -1,9 +1,11 @@
 //! Forces and accelerations at a state of a motion, whoever integrated it.
 
+use nalgebra::Vector3;
+
 use super::system::{Drive, Phase, State, System};
 use crate::scene::{Case, GRAVITY, Scene};
 
-/// Accelerations, m/s^2, and forces, N, at an instant.
+/// Accelerations, m/s^2, without gravity, and forces, N, at an instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Forces {
     /// The ground's horizontal acceleration.
@@ -12,14 +14,56 @@ pub struct Forces {
     pub ground_v: f64,
     /// The upper plate's absolute horizontal acceleration.
     pub acc_plate: f64,
-    /// That of the block's centre of mass.
+    /// Its vertical one.
+    pub acc_plate_v: f64,
+    /// The horizontal one of the block's centre of mass.
     pub acc_block: f64,
-    /// The vertical one of the centre of mass, without gravity.
+    /// Its vertical one.
     pub acc_block_v: f64,
     /// Normal force between block and base.
     pub normal: f64,
     /// Horizontal force between them.
     pub shear: f64,
+    /// Vertical force that the base carries.
+    pub base_load: f64,
+}
+
+/// What is looked for the largest value of: the magnitudes of the horizontal accelerations of the plate and of the centre of
+/// mass, those of their accelerations with gravity, m/s^2, and the vertical force that the base carries, N.
+pub(super) type Felt = [f64; 5];
+
+impl System {
+    /// Vertical acceleration of the upper plate with gravity, m/s^2, of accelerations of u, v and phi.
+    fn plate_v(&self, t: f64, drive: Drive, a: &Vector3<f64>) -> f64 {
+        self.ground(t, drive).1 + a[1] + GRAVITY
+    }
+
+    /// Vertical force that the base carries, N: the rates of change of the momenta of the block and of the plates above the
+    /// device, and their weights. The lower plate m_h follows the ground; a vertical isolation alone stands on it.
+    fn base_load(&self, t: f64, drive: Drive, a: &Vector3<f64>, normal: f64) -> f64 {
+        let lower = if self.moves_h { self.plate_h } else { 0.0 };
+        let upper = if self.moves_h || self.moves_v { self.plate_v } else { 0.0 };
+        let ground = self.ground(t, drive).1 + GRAVITY;
+        self.mass * normal + upper * self.plate_v(t, drive, a) + lower * ground
+    }
+
+    /// What belongs to accelerations of u, v and phi and to the contact force over M.
+    pub(super) fn felt(
+        &self,
+        t: f64,
+        drive: Drive,
+        a: &Vector3<f64>,
+        (normal, shear): (f64, f64),
+    ) -> Felt {
+        let plate = self.plate_of(t, drive, a[0]);
+        [
+            plate.abs(),
+            shear.abs(),
+            plate.hypot(self.plate_v(t, drive, a)),
+            shear.hypot(normal),
+            self.base_load(t, drive, a, normal),
+        ]
+    }
 }
 
 /// What gives forces of the states of a cell.
@@ -51,10 +95,12 @@ impl ForcesOf {
             ground_h,
             ground_v,
             acc_plate: self.system.plate_of(t, drive, accelerations[0]),
+            acc_plate_v: self.system.plate_v(t, drive, &accelerations) - GRAVITY,
             acc_block: shear,
             acc_block_v: normal - GRAVITY,
             normal: self.mass * normal,
             shear: self.mass * shear,
+            base_load: self.system.base_load(t, drive, &accelerations, normal),
         }
     }
 }

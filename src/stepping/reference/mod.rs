@@ -277,6 +277,8 @@ impl<'a> Cell<'a> {
         if class.overturned() {
             zeta = 1.0;
         }
+        let [acc_plate, acc_block, acc_plate_total, acc_block_total, base_load] =
+            self.extremes.felt;
         Outcome {
             class,
             impacts: self.impacts,
@@ -293,8 +295,11 @@ impl<'a> Cell<'a> {
             min_contact: normal,
             friction,
             status: self.status,
-            acc_plate: self.extremes.plate,
-            acc_block: self.extremes.block,
+            acc_plate,
+            acc_block,
+            acc_plate_total,
+            acc_block_total,
+            base_load,
             stop_force: self.extremes.stop_force,
             stop_hits: self.extremes.stop_hits,
         }

@@ -47,7 +47,8 @@ pub struct Comparison {
 }
 
 /// Columns that a sweep has where they are requested.
-const ON_REQUEST: [&str; 3] = ["acc_plate", "acc_block", "stop_force"];
+const ON_REQUEST: [&str; 6] =
+    ["acc_plate", "acc_block", "acc_plate_total", "acc_block_total", "base_load", "stop_force"];
 
 /// What the columns of [`NUMBERS`] may be off by, the spread apart: a thousandth of themselves and
 /// what a fixed step leaves of nothing.
@@ -71,6 +72,9 @@ fn allowed(want: &Outcome, [block, plates]: [f64; 2]) -> [f64; NUMBERS.len()] {
         // The plates are pushed by the force on the block, which may be off by that.
         share(want.acc_plate, weight * (1.0 + block / plates)),
         share(want.acc_block, weight),
+        share(want.acc_plate_total, weight * (1.0 + block / plates)),
+        share(want.acc_block_total, weight),
+        share(want.base_load, weight * (block + plates)),
         share(want.stop_force, 1.0e-3 * GRAVITY * (block + plates)),
     ]
 }

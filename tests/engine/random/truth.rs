@@ -9,7 +9,7 @@ use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::{self, Settings, Switch};
 
 /// Columns that are numbers: names, and values.
-pub const NUMBERS: [&str; 13] = [
+pub const NUMBERS: [&str; 16] = [
     "t_end",
     "t_uplift",
     "zeta",
@@ -22,6 +22,9 @@ pub const NUMBERS: [&str; 13] = [
     "friction",
     "acc_plate",
     "acc_block",
+    "acc_plate_total",
+    "acc_block_total",
+    "base_load",
     "stop_force",
 ];
 
@@ -40,6 +43,9 @@ pub fn numbers(cell: &Outcome) -> [f64; NUMBERS.len()] {
         cell.friction,
         cell.acc_plate,
         cell.acc_block,
+        cell.acc_plate_total,
+        cell.acc_block_total,
+        cell.base_load,
         cell.stop_force,
     ]
 }

@@ -76,7 +76,17 @@ fn forces_at_rows_are_within_those_of_the_outcome() {
     let (names, rows) = columns(&more.join("history.csv"));
     assert_eq!(
         names[9..],
-        ["ground_h", "ground_v", "acc_plate", "acc_block", "acc_block_v", "n", "s"]
+        [
+            "ground_h",
+            "ground_v",
+            "acc_plate",
+            "acc_plate_v",
+            "acc_block",
+            "acc_block_v",
+            "n",
+            "s",
+            "base_load"
+        ]
     );
     // The first columns are the file that nobody asked more of, to the byte.
     let first: Vec<String> = fs::read_to_string(more.join("history.csv"))
@@ -92,16 +102,16 @@ fn forces_at_rows_are_within_those_of_the_outcome() {
     let most = |name: &str| of(name).iter().fold(0.0, |most: f64, a| most.max(a.abs()));
     let found = outcome(&more);
     let number = |key: &str| found[key].as_f64().unwrap();
-    for (name, key) in [("acc_plate", "acc_plate"), ("acc_block", "acc_block")] {
-        let (rows, whole) = (most(name), number(key));
+    for name in ["acc_plate", "acc_block", "base_load"] {
+        let (rows, whole) = (most(name), number(name));
         assert!(rows <= whole * (1.0 + 1e-6) && rows > 0.9 * whole, "{name}: {rows} {whole}");
     }
-    // Object 1's mass: N and S over it are the accelerations of C.
-    let mass = {
-        let run: serde_json::Value =
-            serde_json::from_slice(&fs::read(more.join("run.json")).unwrap()).unwrap();
-        run["scene"]["numbers"]["mass"].as_f64().unwrap()
-    };
+    // Object 1's masses: N and S over that of the block are the accelerations of C, and the base carries the plates, too.
+    let run: serde_json::Value =
+        serde_json::from_slice(&fs::read(more.join("run.json")).unwrap()).unwrap();
+    let [mass, plate_h, plate_v] =
+        ["mass", "plate_h", "plate_v"].map(|key| run["scene"]["numbers"][key].as_f64().unwrap());
+    let (ground_v, plate, load) = (of("ground_v"), of("acc_plate_v"), of("base_load"));
     let (n, s, horizontal, vertical) = (of("n"), of("s"), of("acc_block"), of("acc_block_v"));
     let least = n.iter().copied().fold(f64::INFINITY, f64::min);
     assert!(
@@ -113,6 +123,8 @@ fn forces_at_rows_are_within_those_of_the_outcome() {
     for k in 0..n.len() {
         assert!((n[k] / mass - vertical[k] - 9.81).abs() < 1e-9);
         assert!((s[k] / mass - horizontal[k]).abs() < 1e-9);
+        let carried = n[k] + plate_v * (plate[k] + 9.81) + plate_h * (ground_v[k] + 9.81);
+        assert!((load[k] / carried - 1.0).abs() < 1e-9, "{} {carried}", load[k]);
     }
     // A_h sin(Omega t) until 2 pi/Omega, then nothing.
     for (t, ground) in of("t").iter().zip(of("ground_h")) {
@@ -141,7 +153,7 @@ fn the_last_row_has_the_last_sample_of_the_record() {
 fn a_repeated_history_has_its_columns() {
     let folder = TempDir::new().unwrap();
     let at = |name: &str| folder.path().join(name);
-    for (more, count) in [("--columns n,acc_block", 11), ("--columns all", 16), ("", 9)] {
+    for (more, count) in [("--columns n,acc_block", 11), ("--columns all", 18), ("", 9)] {
         run(&format!("{CELL} {more}"), &at("first"));
         run(&format!("run {}", at("first").display()), &at("again"));
         let read = |name: &str| fs::read(at(name).join("history.csv")).unwrap();

@@ -75,7 +75,15 @@ fn block(outcomes: &[Outcome], precision: Precision) -> Block {
 /// A cell that has not run, without the columns that a map has on request.
 fn unasked() -> Outcome {
     let none = f64::NAN;
-    Outcome { acc_plate: none, acc_block: none, stop_force: none, ..Outcome::PENDING }
+    Outcome {
+        acc_plate: none,
+        acc_block: none,
+        acc_plate_total: none,
+        acc_block_total: none,
+        base_load: none,
+        stop_force: none,
+        ..Outcome::PENDING
+    }
 }
 
 /// The files of a block in a chunk of 6 cells, by their arrays.
