@@ -156,7 +156,7 @@ pub(super) fn complete(numbers: &mut Numbers) -> Result<Device, SceneError> {
     match device {
         Device::Paper if !has(numbers, &[TH]) => {
             let problem = "give it in seconds, or the device by `k1`, `k2` and `qd` or by `radius` and `mu`, or lock its \
-                           direction by `isolation`";
+                           direction by `isolation` (none for a block on the ground)";
             return missing(TH, problem);
         }
         Device::Bilinear if !has(numbers, &[TH, K1, YieldForce]) => {

@@ -128,7 +128,7 @@ pub(super) fn complete(directions: Directions, numbers: &mut Numbers) -> Result<
     }
     if directions.moves_v() {
         let Some(values) = numbers.get(TV) else {
-            let problem = "missing; give it in seconds, or lock its direction by `isolation`";
+            let problem = "missing; give it in seconds, or lock its direction by `isolation` (none for a block on the ground)";
             return Err(SceneError::new(TV.key(), problem));
         };
         let (least, _) = values.ends();

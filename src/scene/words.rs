@@ -35,6 +35,14 @@ pub fn fixed(scene: &Scene) -> Vec<String> {
     parts
 }
 
+/// The whole width and height of the block, where neither varies: B is half of the width, and H the height of the centre of
+/// mass, which is half of that of a uniform block.
+pub fn size(scene: &Scene) -> Option<String> {
+    let twice = |parameter: Parameter| Some(2.0 * scene.numbers.get(parameter)?.single()?);
+    let (width, height) = (twice(Parameter::HalfWidth)?, twice(Parameter::Height)?);
+    Some(format!("{width} m wide; {height} m high if it is uniform"))
+}
+
 /// The parameters of a scene that its axes do not show.
 pub fn parameters(scene: &Scene) -> Vec<String> {
     let mut parts = fixed(scene);

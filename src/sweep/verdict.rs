@@ -2,7 +2,9 @@
 
 use std::time::Duration;
 
-use crate::sweep::verification::{Verdict, Verification, ZETA_OFF};
+use crate::scene::Grid;
+use crate::stepping::outcome::Class;
+use crate::sweep::verification::{Difference, Verdict, Verification, ZETA_OFF};
 
 /// How the reference's sample came out, which had so much time.
 pub fn agreement(v: &Verification, within: Duration) -> String {
@@ -40,6 +42,33 @@ fn differ(count: usize) -> String {
 /// So many cells.
 pub fn cells(count: usize) -> String {
     if count == 1 { "1 cell".into() } else { format!("{count} cells") }
+}
+
+/// Cells that differ which are told.
+const SHOWN: usize = 3;
+
+/// The first cells whose outcome differs, a line each: where they lie, and both outcomes.
+pub fn differences(v: &Verification, grid: &Grid) -> Vec<String> {
+    let place = |at: &[f64]| {
+        let axes = grid.axes().iter().zip(at);
+        let parts: Vec<String> =
+            axes.map(|(axis, value)| axis.parameter.entry().written(value)).collect();
+        parts.join(", ")
+    };
+    let line = |difference: &Difference| {
+        let Difference { at, sweep, reference, .. } = difference;
+        format!("at {}: {}, by the reference {}", place(at), said(*sweep), said(*reference))
+    };
+    let mut lines: Vec<String> = v.differences.iter().take(SHOWN).map(line).collect();
+    if v.differ > SHOWN {
+        lines.push(format!("and {} more; run.json lists the first", v.differ - SHOWN));
+    }
+    lines
+}
+
+/// An outcome in words.
+fn said(class: Class) -> String {
+    class.name().replace('_', " ")
 }
 
 /// What follows from the sample for a map, in a sentence.

@@ -121,6 +121,9 @@ pub fn write(
         took.verification = Some(seconds);
         say.line("reference", verdict::agreement(&verification, within));
         say.styled("", verdict::told(&verification), words::style(&verification));
+        for difference in verdict::differences(&verification, &map.grid) {
+            say.line("", difference);
+        }
         map.verification = Some(verification);
     }
     let manifest = Manifest::of(&map, &facts, took);

@@ -157,6 +157,9 @@ impl SuiteFlags {
         };
         let suite = self.suite.display();
         say.line("scene", format!("{}, under the motions of {suite}", parts.join(", ")));
+        if let [scene] = scenes {
+            words::block(say, scene);
+        }
         let leans = |scene: &Scene| {
             let of_centre = [Parameter::Eccentricity, Parameter::Offset];
             let values = of_centre.into_iter().filter_map(|of| scene.numbers.get(of));

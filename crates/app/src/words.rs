@@ -127,8 +127,16 @@ pub fn scene(say: &Reporter, scene: &Scene, grid: &Grid) {
         format!("{}, {cells}", scene.title)
     });
     say.line("", topple::scene::words::line(scene));
+    block(say, scene);
     device(say, None, scene);
     record(say, scene);
+}
+
+/// The size of a scene's block, so that nobody takes half of the width for the width.
+pub fn block(say: &Reporter, scene: &Scene) {
+    if let Some(size) = topple::scene::words::size(scene) {
+        say.line("block", size);
+    }
 }
 
 /// The record of a scene, with what was decided of it.

@@ -75,7 +75,7 @@ export function completeDevice(numbers) {
   if (device === 'paper' && !has('t_h')) {
     missing(
       't_h',
-      'give it in seconds, or the device by `k1`, `k2` and `qd` or by `radius` and `mu`, or lock its direction by `isolation`',
+      'give it in seconds, or the device by `k1`, `k2` and `qd` or by `radius` and `mu`, or lock its direction by `isolation` (none for a block on the ground)',
     );
   }
   if (device === 'bilinear') {

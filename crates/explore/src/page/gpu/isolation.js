@@ -56,7 +56,7 @@ export function completeIsolation(isolation, numbers) {
     completeDevice(numbers);
   } else unused('horizontal');
   if (movesV(isolation)) {
-    if (!numbers.has('t_v')) throw new EngineError('t_v', 'missing; give it in seconds, or lock its direction by `isolation`');
+    if (!numbers.has('t_v')) throw new EngineError('t_v', 'missing; give it in seconds, or lock its direction by `isolation` (none for a block on the ground)');
     const [least] = numbers.get('t_v').ends();
     if (least > 0 && least < known.least_period) throw new EngineError('t_v', tooShort(least));
     fill('xi_v');
