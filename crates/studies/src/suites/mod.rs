@@ -20,6 +20,7 @@ pub mod measures;
 mod names;
 mod peer;
 pub mod read;
+mod recordings;
 pub mod request;
 pub mod resample;
 mod run;
