@@ -13,6 +13,7 @@ pub(crate) mod error;
 pub(crate) mod estimate;
 mod files;
 mod gather;
+pub(crate) mod grid_table;
 mod grouped;
 pub mod intensity;
 mod list;
