@@ -79,8 +79,8 @@ impl<'a, 'py> Call<'a, 'py> {
         Ok((Call { py, keywords, suite, progress, threads, resume, shard }, request))
     }
 
-    /// Runs the sweeps of a job, and makes of them what is asked; nothing of a shard. A job whose directory is to be gone on with
-    /// finds none but its own motions there.
+    /// Runs the sweeps of the job that `open` makes and passes them to `of`; a shard gives nothing. With `resume` a directory
+    /// that holds motions of another run is refused.
     pub fn run<S: Send, T: Send, E: From<SweepError> + Send>(
         &self,
         open: impl FnOnce(&Suite) -> Result<(SuiteJob, S), E> + Send,
@@ -101,7 +101,7 @@ impl<'a, 'py> Call<'a, 'py> {
         watch::run(self.py, self.progress, &self.threads, run)?.map_err(of_error)
     }
 
-    /// What the call gives back: tables by their names, and what is told of them. Saved motions are needed no more.
+    /// The result of the call: tables by their names, and what is told of them. Frees the motions that were saved.
     pub fn tables(
         &self,
         tables: impl IntoIterator<Item = (&'static str, String)>,
