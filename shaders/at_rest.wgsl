@@ -1,6 +1,6 @@
 // The state of a cell at rest. Twin: src/cells/at_rest.rs.
 
-// The corner that a block of this tilt turns about.
+// The corner about which a block of this tilt turns.
 fn mode_of(tilt: real) -> u32 {
     if tilt > 0.0 {
         return ROCKING_LEFT;
@@ -11,7 +11,7 @@ fn mode_of(tilt: real) -> u32 {
     return FULL_CONTACT;
 }
 
-// A state at rest, the base in static equilibrium.
+// A state at rest, with the base in static equilibrium.
 fn at_rest(finite: bool, tilt: real) -> State {
     var state = State();
     state.motion.phi = tilt;

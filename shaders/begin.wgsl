@@ -1,7 +1,7 @@
-// A cell as its integration begins: its numbers and its first state. One thread a cell of a tile.
-// Twin: src/cells/begin.rs.
+// A cell at the start of its integration: its numbers and its first state. One thread for each cell of a tile. Twin:
+// src/cells/begin.rs.
 
-// The numbers of a cell's steps. Twin: src/cells/groups.rs.
+// The lengths and numbers of the steps of a cell. Twin: src/cells/groups.rs.
 struct Steps {
     phase_step: real,
     step_forced: real,
@@ -15,7 +15,7 @@ struct Steps {
 }
 
 @group(0) @binding(1) var<storage, read_write> new_cells: array<Cell>;
-// The tables of the groups that are reals alone.
+// The tables of the groups that have only reals.
 @group(0) @binding(9) var<storage, read> numbers: array<real>;
 @group(0) @binding(10) var<storage, read> clocks: array<Steps>;
 
@@ -26,7 +26,7 @@ fn steps_of(place: Place) -> Steps {
     return clocks[entry(tile.clock, place)];
 }
 
-// Makes a cell; true where it is to run.
+// Makes a cell; true where the cell is to run.
 fn make(place: Place) -> bool {
     let h = entry(tile.horizontal, place);
     let v = entry(tile.vertical, place);

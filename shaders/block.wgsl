@@ -12,7 +12,7 @@ struct Corner {
     eta_phi: real,
     eta_u: real,
     eta_v: real,
-    // Fills the struct to whole 16 bytes, as a uniform buffer asks for.
+    // Padding: the size of the struct is a multiple of 16 bytes, as a uniform buffer requires.
     padding: real,
 }
 
@@ -37,14 +37,14 @@ struct Model {
     padding_1: real,
 }
 
-// The body that all cells have, where they differ in none; otherwise that of the first.
+// The body of all cells, where they do not differ in it; otherwise the body of the first.
 @group(0) @binding(0) var<uniform> uniform_model: Model;
 
-// Every thread reads its cell's once, as it begins: a software driver looks up a uniform number lane by
-// lane, each time.
+// Every thread reads the body of its cell once, at its begin: a software driver reads a uniform number for each lane,
+// each time.
 var<private> model: Model;
 
-// The corner that the block turns about in a rocking mode.
+// The corner about which the block turns in a rocking mode.
 fn pivot(mode: u32) -> Corner {
     let right = mode == ROCKING_RIGHT;
     return Corner(

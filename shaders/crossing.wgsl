@@ -11,7 +11,7 @@ struct Rise {
     at: real,
 }
 
-// Error of a parabola at a crest, as a share of its bend.
+// The error of a parabola at a crest, as a share of its second difference.
 const CREST_ERROR = 1.0e-3;
 
 // Bound on the rounding error of an uplift moment.
@@ -20,8 +20,8 @@ fn moment_rounding(contact: Contact) -> real {
     return ROUNDING * (model.height * abs(contact.shear) + arm * abs(contact.normal));
 }
 
-// No uplift moment in a span with these contact forces at its start, middle and end is larger: a
-// parabola goes beyond three of its values by an eighth of their bend at most.
+// An upper bound of the uplift moment in a span with these contact forces at its start, middle and end: a parabola
+// exceeds three of its values by at most an eighth of their second difference.
 fn highest_moment(start: Contact, mid: Contact, end: Contact) -> real {
     let arm = max(model.left.arm, model.right.arm);
     let shear = abs(start.shear - 2.0 * mid.shear + end.shear);
@@ -31,8 +31,8 @@ fn highest_moment(start: Contact, mid: Contact, end: Contact) -> real {
     return values + (0.125 + CREST_ERROR) * (model.height * shear + arm * normal);
 }
 
-// The parabola through an uplift moment's values at a span's start, middle and end, and the place in the
-// span where it is, or may be, positive; negative where there is none.
+// The parabola through the values of an uplift moment at the start, the middle and the end of a span, and the place
+// in the span where the moment is, or may be, positive; the place is negative where there is none.
 fn moment_rises(start: real, mid: real, end: real) -> Rise {
     let zero: real = 0.0;
     let one: real = 1.0;
@@ -56,7 +56,7 @@ fn kinks_in(y: Motion, y1: Motion, k1: Rates, k_end: Rates, h: real) -> Crossing
     if !of_z && !of_du {
         return Crossing(NOTHING_SOUGHT, Cubic(-one, zero, zero, zero), one);
     }
-    // Where both cross, the one whose chord does so first.
+    // Where both change sign, the one whose chord does so first.
     let z_first = abs(y.du * (y.z - y1.z)) > abs(y.z * (y.du - y1.du));
     let kink_z = of_z && (!of_du || z_first);
     let start = kink_guard(kink_z, y, y, k1, h);
@@ -65,8 +65,8 @@ fn kinks_in(y: Motion, y1: Motion, k1: Rates, k_end: Rates, h: real) -> Crossing
     return Crossing(found, cubic_through(start, end), one);
 }
 
-// Where the base meets its end stop or leaves it in a span of `h` seconds: before a kink that is found there, or beside
-// none.
+// The place where the base meets its end stop or leaves it in a span of `h` seconds: before a kink that is found in
+// the span, or without a kink.
 fn stops_in(cell: Cell, kink: Crossing, y: Motion, y1: Motion, k1: Rates, k_end: Rates, h: real) -> Crossing {
     let one: real = 1.0;
     let end = end_stop_guard(cell, y1, k_end, h);
@@ -74,7 +74,8 @@ fn stops_in(cell: Cell, kink: Crossing, y: Motion, y1: Motion, k1: Rates, k_end:
         return kink;
     }
     let start = end_stop_guard(cell, y, k1, h);
-    // By the chords, as where two kinks are in a span; where nothing else is found its cubic begins at -1 and is flat.
+    // The chords decide, as for two kinks in a span; where no other guard is found, its cubic begins at -1 and is
+    // constant.
     let c = kink.cubic;
     let kink_rise = c.c1 + c.c2 + c.c3;
     let earlier = abs(start.value * kink_rise) >= abs(c.c0 * (end.value - start.value));
@@ -95,7 +96,7 @@ fn angles_in(corner: Corner, y: Motion, y1: Motion, k1: Rates, k_end: Rates, h: 
     var upper = one;
     var impact = phi1 < 0.0;
     var over = phi1 >= corner.overturn;
-    // Two crossings in one span: the angle's extremum inside it.
+    // Two crossings in one span: the extremum of the angle lies between them.
     if !(impact || over) && crosses(dphi0, dphi1) {
         let at = dphi0 / (dphi0 - dphi1);
         let extremum = hermite(phi0, h * dphi0, phi1, h * dphi1, at);
@@ -132,8 +133,8 @@ fn uplifts_in(start: Contact, mid: Contact, end: Contact) -> Crossing {
     if !(lefts || rights) {
         return Crossing(NOTHING_SOUGHT, Cubic(-one, zero, zero, zero), one);
     }
-    // The first guess is of the one that is positive earlier; the search itself is for the larger
-    // moment of the two, whose zero is the first uplift whichever it is.
+    // The first guess is for the moment that becomes positive first. The search itself uses the larger of the two
+    // moments, whose zero is the first uplift in either case.
     let larger = left_end >= right_end;
     let earlier = by_right.at > by_left.at || (by_right.at >= by_left.at && larger);
     let by_its_left = lefts && (!rights || earlier);
@@ -179,8 +180,8 @@ fn crossing_in(
     return uplifts_in(contact_of(k1), stepped.mid, contact_of(k_end));
 }
 
-// The guard at the end of a trial, that which is sought or else an impact; its slope over the span of
-// `h` seconds.
+// The guard at the end of a trial: the one that is searched for, or else an impact. Its slope is over the span of `h`
+// seconds.
 fn sample_of(
     sought: Sought,
     cell: Cell,

@@ -8,7 +8,7 @@ struct Cubic {
     c3: real,
 }
 
-// The cubic with these values and slopes at a span's ends.
+// The cubic with these values and slopes at the ends of a span.
 fn cubic_through(start: GuardSample, end: GuardSample) -> Cubic {
     let rise = end.value - start.value;
     return Cubic(
@@ -24,15 +24,15 @@ struct Root {
     slope: real,
 }
 
-// The root in a span at whose end the cubic is positive, and the slope there.
+// The root in a span at whose end the cubic is positive, and the slope at the root.
 fn root(cubic: Cubic) -> Root {
     let zero: real = 0.0;
     let one: real = 1.0;
     let rise = cubic.c1 + cubic.c2 + cubic.c3;
     let slope1 = 3.0 * cubic.c3 + (2.0 * cubic.c2 + cubic.c1);
-    // If it rises at both ends: the first guess is the zero of the chord, improved by the inverse cubic,
-    // which gives the place as a function of the value. If it falls first: the first guess is the place
-    // where the parabola from the start returns to its first value.
+    // If the cubic rises at both ends, the first guess is the zero of the chord, improved by the inverse cubic, which
+    // gives the place as a function of the value. If it falls at first, the first guess is the place where the
+    // parabola from the start returns to its first value.
     let rises = cubic.c1 > 0.0 && slope1 > 0.0;
     let slopes = cubic.c1 * slope1;
     let inverse = 1.0 / select(cubic.c2 + cubic.c3, rise * slopes, rises);

@@ -18,7 +18,7 @@ struct Contact {
     normal: real,
 }
 
-// The contact force that comes with the rates.
+// The contact force that belongs to the rates.
 fn contact_of(k: Rates) -> Contact {
     return Contact(k.shear, k.normal);
 }
@@ -38,7 +38,7 @@ fn lever_at(corner: Corner, phi: real) -> Lever {
     return Lever(height * cos_phi + arm * sin_phi, arm * cos_phi - height * sin_phi);
 }
 
-// (5) in full contact, (9) while rocking.
+// The rates of the motion: (5) in full contact, (9) while the block rocks.
 fn rates(cell: Cell, corner: Corner, rocking: bool, y: Motion, ground: Ground) -> Rates {
     let base = support(cell, y, ground);
     // X and Y, the base's absolute accelerations (Y with g).
@@ -59,7 +59,8 @@ fn rates(cell: Cell, corner: Corner, rocking: bool, y: Motion, ground: Ground) -
         let inertia = corner.inertia - mu_p * p - mu_q * q;
         ddphi = (p * push_h - q * push_v) / inertia;
         if follows && !isolated_v {
-            // The rotation presses on the pendulum, too: its acceleration stands on both sides of (9a).
+            // The rotation changes the force on the pendulum, too: the angular acceleration stands on both sides of
+            // (9a).
             let zero: real = 0.0;
             let slope = pendulum_slope(cell, y);
             let weight = base.f_v;

@@ -1,16 +1,17 @@
-// Rest before the last flights end: the proof that a block will not lift again once it rests, and that none of its
-// flights until then reaches what has been reached. Twin: src/stepping/early_rest.rs, which derives it.
+// Rest before the last flights end: the proof that a block at rest will not lift again, and that none of the flights
+// that are left out exceeds a largest or least value so far. Twin: src/stepping/early_rest.rs, which has the
+// derivation.
 
-// True where a block may come to rest at once; the excitation must be over, and the block have just had an impact.
+// True where a block may come to rest now. The excitation must be over, and the block must have just had an impact.
 fn rests_early(cell: Cell, state: State) -> bool {
     let more: real = 1.0 + MARGIN;
     if accelerations || hardens {
-        // The accelerations of the flights to come, and the rate of a spring that hardens, have no bound here.
+        // The accelerations of the later flights, and the rate of a spring that hardens, have no bound here.
         return false;
     }
     let y = state.motion;
     let corner = pivot(state.mode);
-    // The flights, the first of which begins.
+    // The flights, of which the first one begins now.
     let speed = abs(y.dphi);
     let d = corner.inertia
         - model.mu_h * model.height * model.height
@@ -31,7 +32,7 @@ fn rests_early(cell: Cell, state: State) -> bool {
     if !within(cell, state, root_h * root_h, root_v * root_v) {
         return false;
     }
-    // What holds the block, by Cauchy's inequality as in the certificate.
+    // The moment that holds the block, by the inequality of Cauchy as in the certificate.
     let x_most = most_x(cell, root_h);
     let y_swing = most_y(cell, root_v);
     let least_y = model.gravity - y_swing;
@@ -45,7 +46,7 @@ fn rests_early(cell: Cell, state: State) -> bool {
     }
     let energy = flight * most / least;
     if angles {
-        // The energy that the largest angles so far ask for.
+        // The energy that the largest angles so far require.
         let left = reached(model.left, least_y, x_most, state.max_phi_left);
         let right = reached(model.right, least_y, x_most, state.max_phi_right);
         if !(left >= energy && right >= energy) {
@@ -55,7 +56,7 @@ fn rests_early(cell: Cell, state: State) -> bool {
     return !forces || forces_are_final(state, false, x_most, y_swing, energy);
 }
 
-// The energy over M that a flight to an angle about a corner asks for at least.
+// The least energy over M of a flight to an angle about a corner.
 fn reached(corner: Corner, least_y: real, x_most: real, angle: real) -> real {
     let sideways = angle * (model.height + 0.5 * corner.arm * angle);
     return least_y * least_rise(corner, angle) - x_most * sideways;

@@ -27,7 +27,7 @@ struct Cell {
     steps_forced: u32,
     steps: u32,
     substeps: u32,
-    // Number of the body.
+    // The number of the body.
     body: u32,
 }
 

@@ -1,13 +1,13 @@
-// The ground under a cell, a forcing segment at a time: steps of one length under a ground of one form
-// (the pulse, a gap between two samples of a record, or rest). Twin: src/stepping/forcing.rs.
+// The motion of the ground under a cell, one forcing segment at a time: steps of equal length under a ground motion
+// of one form (the pulse, a gap between two samples of a record, or rest). Twin: src/stepping/forcing.rs.
 
 override recorded: bool = false;
 
-// Most steps of a segment.
+// The most steps of a segment.
 const MOST_STEPS = 1048576u;
 
-// What a cell has already takes no registers of its own here: the length of a step is a function, and
-// the pulse's numbers stay after its end, where `ground_at` makes no use of them.
+// Numbers that a cell already has take no registers of their own here: the length of a step is a function, and the
+// numbers of the pulse stay after its end, where `ground_at` does not use them.
 struct Forcing {
     done: real,
     steps: real,
@@ -18,7 +18,7 @@ struct Forcing {
     forced: bool,
 }
 
-// Length of a step, s.
+// The length of a step, s.
 fn step_length(cell: Cell, forcing: Forcing) -> real {
     return select(cell.step_free, cell.step_forced, forcing.forced);
 }
@@ -26,7 +26,8 @@ fn step_length(cell: Cell, forcing: Forcing) -> real {
 // Samples of the record.
 @group(0) @binding(5) var<storage, read> record: array<Ground>;
 
-// The ground at a fraction of the step: the pulse (22), or the record, linear between its samples.
+// The acceleration of the ground at a fraction of the step: the pulse (22), or the record, linear between its
+// samples.
 fn ground_at(cell: Cell, forcing: Forcing, fraction: real) -> Ground {
     let zero: real = 0.0;
     if !forcing.forced {
@@ -43,7 +44,7 @@ fn ground_at(cell: Cell, forcing: Forcing, fraction: real) -> Ground {
     return Ground(forcing.base.h * share, forcing.base.v * share);
 }
 
-// The segment that a cell is in after `step` steps, fewer than it has in all.
+// The segment in which a cell is after `step` steps, fewer than it has in all.
 fn begin_segment(cell: Cell, step: u32) -> Forcing {
     let zero: real = 0.0;
     let none = Ground(zero, zero);

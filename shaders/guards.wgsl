@@ -11,12 +11,12 @@ const KINK = 5u;
 const EVENT_BOUND = 128u;
 const LOCATE_BOUND = 60u;
 
-// Which guard is searched for: one at most, so that a number takes the place of the twin's six flags,
-// which would take a register each.
+// The guard that is searched for, one at most: a number takes the place of the six flags of the twin, which would
+// take a register each.
 alias Sought = u32;
 
 const NOTHING_SOUGHT = 0u;
-// The search found no root; the next trial takes the whole span.
+// The search found no root; the next trial covers the whole span.
 const SOUGHT_AGAIN = 1u;
 const SOUGHT_UPLIFT = 2u;
 const SOUGHT_IMPACT = 3u;
@@ -37,14 +37,14 @@ fn is_any(sought: Sought) -> bool {
     return sought > SOUGHT_AGAIN;
 }
 
-// Tolerance of a guard's time, as a fraction of the step.
+// The tolerance of the time of a guard, as a fraction of the step.
 fn tolerance_of(sought: Sought) -> real {
     let event: real = EVENT_TOLERANCE;
     let kink: real = KINK_TOLERANCE;
     return select(event, kink, is_kink(sought) && sought != SOUGHT_STOP);
 }
 
-// A guard at a trial's end.
+// A guard at the end of a trial.
 struct GuardSample {
     value: real,
     slope: real,
@@ -52,18 +52,18 @@ struct GuardSample {
     rounding: real,
 }
 
-// True where a number goes from one side of zero to the other; zero itself is on neither.
+// True where a number changes from one side of zero to the other; zero itself is on neither side.
 fn crosses(start: real, end: real) -> bool {
     return (start > 0.0 && end < 0.0) || (start < 0.0 && end > 0.0);
 }
 
-// Impact or overturning: how far the angle is past a target, in the sense of +1 or -1.
+// Impact or overturning: by how much the angle exceeds a target, in the direction +1 or -1.
 fn angle_guard(sense: real, goal: real, y: Motion, k: Rates, h: real) -> GuardSample {
     let zero: real = 0.0;
     return GuardSample(sense * y.phi - goal, h * sense * y.dphi, h * h * sense * k.ddphi, zero);
 }
 
-// A kink: u' or z, positive once it has left the side of zero that it was on at the start.
+// A kink: u' or z, positive after it has left the side of zero on which it was at the start.
 fn kink_guard(of_z: bool, start: Motion, y: Motion, k: Rates, h: real) -> GuardSample {
     let zero: real = 0.0;
     let before = select(start.du, start.z, of_z);
@@ -74,8 +74,8 @@ fn kink_guard(of_z: bool, start: Motion, y: Motion, k: Rates, h: real) -> GuardS
     return GuardSample(reached, select(slope, -slope, positive), zero, zero);
 }
 
-// The end stop: positive once the base is against a stop that it was not against where the span began, or has left the one
-// that it was against; its slope is over a span of `h` seconds.
+// The end stop: positive if the base is against a stop that it did not touch at the start of the span, or if it has
+// left the stop that it touched. Its slope is over a span of `h` seconds.
 fn end_stop_guard(cell: Cell, y: Motion, k: Rates, h: real) -> GuardSample {
     let zero: real = 0.0;
     let side = side_of(y.u);

@@ -1,6 +1,6 @@
 // The change of the velocities at an impact. Twin: src/model/impact.rs.
 
-// The block goes on about the other corner, `landing`: (16) with the coefficients (17).
+// After the impact the block turns about the other corner, `landing`: (16) with the coefficients (17).
 fn change_corner(landing: Corner, y: Motion) -> Motion {
     return Motion(
         y.u,
@@ -13,7 +13,7 @@ fn change_corner(landing: Corner, y: Motion) -> Motion {
     );
 }
 
-// The block comes to rest on both corners: linear momenta are kept, the rotation ends.
+// The block comes to rest on both corners: the linear momenta are kept, and the rotation ends.
 fn come_to_rest(leaving: Corner, y: Motion) -> Motion {
     return Motion(
         y.u,

@@ -34,7 +34,7 @@ fn support(cell: Cell, y: Motion, ground: Ground) -> Support {
     }
     var f_v = ground.v + model.gravity;
     if isolated_v {
-        // v is counted from the static position, where the spring carries the weight.
+        // v is measured from the static position, where the spring carries the weight.
         f_v = model.gravity - (cell.stiffness_v * y.v + cell.damping_v * y.dv);
     }
     return with_devices(cell, y, ground, Support(f_h, f_v));
@@ -67,10 +67,12 @@ fn pendulum_slope(cell: Cell, y: Motion) -> real {
     return force * INVERSE_GRAVITY;
 }
 
-// The force that presses on the horizontal device of a block in full contact, or of one on a vertical isolation, over M_t.
+// The force that presses on the horizontal device over M_t, where the block is in full contact or the base is
+// isolated vertically.
 fn pressure(f_v: real, ground: Ground) -> real {
     let below = ground.v + model.gravity;
-    // M_v/M_t of the mass is above; where the vertical direction is locked f_v is that of the ground.
+    // The share M_v/M_t of the mass is above the spring. Where the vertical direction is locked f_v is that of the
+    // ground.
     let above = model.mu_h * model.inverse_mu_v;
     return below + above * (f_v - below);
 }
@@ -125,7 +127,8 @@ fn hysteretic_rate(cell: Cell, y: Motion) -> real {
     let magnitude = abs(y.z);
     var power = magnitude * magnitude;
     if bouc_wen_n != 2u {
-        // By squares: a driver may bound the iterations of a shader's loops.
+        // The power is a product of repeated squares, because a driver may limit the iterations of a loop in a
+        // shader.
         power = 1.0;
         var square = magnitude;
         for (var n = bouc_wen_n; n > 0u; n = n >> 1u) {

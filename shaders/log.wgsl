@@ -1,5 +1,5 @@
-// Keeps the first switches of a cell. Twin: src/stepping/log.rs. A sweep whose switches are not needed
-// uses quiet.wgsl in its place.
+// Keeps the first switches of a cell. Twin: src/stepping/log.rs. A sweep that does not need its switches has
+// quiet.wgsl in the place of this file.
 
 override events_kept: u32 = 16u;
 
@@ -18,7 +18,7 @@ fn switched(state: ptr<function, State>, kind: u32, fraction: real) {
     if kind == NOTHING || kind == KINK {
         return;
     }
-    // Uplifts and impacts are counted as they happen, so that the counts number them.
+    // Uplifts and impacts are counted as they happen, so that their counts give the number of this switch.
     var number = (*state).impacts + (*state).uplifts;
     if kind != OVERTURN {
         number -= 1u;

@@ -3,7 +3,7 @@
 struct Motion {
     u: real,
     du: real,
-    // From the static position: v + g/omega_v^2.
+    // The displacement from the static position: v + g/omega_v^2.
     v: real,
     dv: real,
     z: real,

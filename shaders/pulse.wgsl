@@ -1,4 +1,4 @@
-// The pulses that may shake the base. Twin: src/model/pulse.rs.
+// The pulses that can shake the base. Twin: src/model/pulse.rs.
 
 override pulse_shape: u32 = 0u;
 // A pulse may have more than one cycle.
@@ -24,13 +24,13 @@ fn sine_of(x: real) -> real {
     return pulse_sine(x - floor(x));
 }
 
-// What is left of a number by halvings, and what they came to.
+// The remainder of a number after halvings, and the factor of these halvings.
 struct Halved {
     rest: real,
     power: real,
 }
 
-// Takes so many ln 2 off, which leave a share, where the number holds them.
+// Takes a number of ln 2 off, if the number is that large, and applies their factor.
 fn halve(x: Halved, halvings: real, share: real) -> Halved {
     let ln_2: real = 0.6931471805599453;
     let held = halvings * ln_2;
@@ -40,7 +40,7 @@ fn halve(x: Halved, halvings: real, share: real) -> Halved {
     return x;
 }
 
-// e^-x for 0 <= x <= 44: x less as many ln 2 as it holds, by powers of two (in the twin:
+// e^-x for 0 <= x <= 44: the whole multiple of ln 2 in x is taken off and becomes a power of two (in the twin:
 // src/model/number.rs).
 fn exponential(x: real) -> real {
     var halved = Halved(x, 1.0);
@@ -62,7 +62,7 @@ fn ricker(x: real) -> real {
 
 // Ricker's wavelet of third order, x periods from its zero.
 fn ricker_antisymmetric(x: real) -> real {
-    // 2 pi over the root of 3, and 1 over what the formula comes to at its extrema.
+    // 2 pi over the square root of 3, and 1 over the largest magnitude of the formula.
     let scale: real = 3.6275987284684357;
     let inverse_peak: real = 0.7245751754399925;
     let s = scale * x;
@@ -82,8 +82,8 @@ fn modulated(envelope: real, carrier: real, phase: real) -> real {
     return -(sine_of(turn) + sides);
 }
 
-// The ground's acceleration over the amplitude, `phase` periods after the pulse's begin. That of a
-// modulated pulse is over its peak, which its amplitude is divided by.
+// The acceleration of the ground over the amplitude, `phase` periods after the begin of the pulse. The wave of a
+// modulated pulse has its peak as its largest magnitude, and the amplitude is divided by this peak.
 fn wave(cell: Cell, phase: real) -> real {
     if pulse_shape == ONE_SINE || pulse_shape == HALF_SINE {
         if cycles {

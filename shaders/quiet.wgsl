@@ -1,4 +1,4 @@
-// No observer: a cell's switches are not kept; log.wgsl keeps them.
+// No observer: the switches of a cell are not kept; log.wgsl keeps them.
 
 fn switched(state: ptr<function, State>, kind: u32, fraction: real) {
 }

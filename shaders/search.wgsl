@@ -1,5 +1,5 @@
-// The search for the root of a guard in its span, one trial at a time: Newton's method inside a bracket,
-// started at the root of the cubic through the span's ends. Twin: src/stepping/search.rs.
+// The search for the root of a guard in its span, one trial at a time: the method of Newton inside a bracket, started
+// at the root of the cubic through the ends of the span. Twin: src/stepping/search.rs.
 
 struct Search {
     sought: Sought,
@@ -7,8 +7,8 @@ struct Search {
     low: real,
     high: real,
     tries: u32,
-    // Before the first trial the slope at the root that the search begins with, then the trial before;
-    // the twin has a variable for each, and flags for `last` and for what is verified.
+    // Before the first trial: the slope at the root with which the search begins; afterwards the previous trial. The
+    // twin has a variable for each, and flags for `last` and for a verified end.
     before: real,
     value_before: real,
 }
@@ -27,7 +27,7 @@ fn no_search() -> Search {
     );
 }
 
-// How far past the root the next trial aims, so that it ends beyond it. Zero for angles.
+// The distance beyond the root at which the next trial aims, so that it ends beyond the root. Zero for angles.
 fn aim(sought: Sought) -> real {
     let zero: real = 0.0;
     return select(0.5 * tolerance_of(sought), zero, is_angle(sought));
@@ -46,14 +46,14 @@ fn begin_search(search: ptr<function, Search>, found: Sought, cubic: Cubic, uppe
     (*search).before = root.slope;
 }
 
-// How far before a trial's end an angle passed its target, and the error of that distance.
+// The distance before the end of a trial at which an angle passed its target, and the error of that distance.
 struct StepBack {
     back: real,
     error: real,
 }
 
-// The way back along the parabola that has the angle's value, slope and bend at a trial's end;
-// `bend_before` is its bend at the trial's start.
+// The distance to step back along the parabola that has the value, the slope and the bend of the angle at the end of
+// a trial; `bend_before` is the bend at the start of the trial.
 fn step_back(end: GuardSample, per_slope: real, bend_before: real) -> StepBack {
     let first = end.value * per_slope;
     let ratio = end.bend * per_slope;
@@ -63,13 +63,14 @@ fn step_back(end: GuardSample, per_slope: real, bend_before: real) -> StepBack {
     return StepBack(first + second, abs(first) * third);
 }
 
-// How far the guard is from a trial's end.
+// The distance of the guard from the end of a trial.
 struct RootDistance {
-    // The guard's slope is not zero. Where it is zero no division by it is done: devices differ in NaN.
+    // True where the slope of the guard is not zero. Where it is zero there is no division by it, because devices
+    // differ in NaN.
     steep: bool,
     // One over the slope.
     per_slope: real,
-    // Of an angle.
+    // The distance to step back, for an angle.
     way: StepBack,
 }
 
@@ -78,8 +79,8 @@ struct Arrived {
     back: real,
 }
 
-// How far the guard at the end of a trial is; `bend_before` is an angle's bend at the trial's start. An
-// uplift moment's slope is the secant from the trial before.
+// The distance of the guard from the end of a trial; `bend_before` is the bend of an angle at the start of the trial.
+// The slope of an uplift moment is the secant from the previous trial.
 fn reach_of(search: Search, end: GuardSample, bend_before: real) -> RootDistance {
     let one: real = 1.0;
     let by_secant = search.sought == SOUGHT_UPLIFT && search.tries > 0u;
@@ -90,7 +91,7 @@ fn reach_of(search: Search, end: GuardSample, bend_before: real) -> RootDistance
     return RootDistance(steep, per_slope, step_back(end, per_slope, bend_before));
 }
 
-// Narrows the bracket by the result of the trial at `at`.
+// Narrows the bracket with the result of the trial at `at`.
 fn narrow(search: ptr<function, Search>, found: GuardSample, reach: RootDistance) -> Arrived {
     let zero: real = 0.0;
     let one: real = 1.0;
@@ -107,14 +108,14 @@ fn narrow(search: ptr<function, Search>, found: GuardSample, reach: RootDistance
     let last = (*search).tries >= LOCATE_BOUND;
     (*search).tries += 1u;
     let beyond = found.value > 0.0;
-    // The next trial aims past the root by the value's rounding error; a value within twice that error
-    // counts as found.
+    // The next trial aims beyond the root by the rounding error of the value; a value within twice that error counts
+    // as found.
     let rounding = found.rounding;
     let change = select((found.value - rounding) * per_slope, way.back, angle);
     let off = (abs(found.value) - rounding - rounding) * abs(per_slope);
     let near = steep && tolerance >= select(off, way.error, angle);
-    // A guard that has not happened at the upper end of its bracket does not happen; an upper end inside
-    // the span is tried first.
+    // A guard that has not happened at the upper end of its bracket does not happen at all; an upper end inside the
+    // span is tried first.
     let nothing = !repeated && (*search).high < 1.0 && !beyond;
     let done = ((near && (beyond || angle)) || last) && !nothing;
     let high = select((*search).high, at, beyond);
@@ -124,7 +125,7 @@ fn narrow(search: ptr<function, Search>, found: GuardSample, reach: RootDistance
     var next = at - change + aim(sought);
     next = select(0.5 * (low + high), next, steep && next > low && next < high);
     let narrow = tolerance >= high - low || (*search).tries >= LOCATE_BOUND;
-    // A bracket that is narrow enough counts as all trials made: the next is the last.
+    // A bracket that is narrow enough counts as if all trials were made: the next trial is the last.
     (*search).tries = select((*search).tries, LOCATE_BOUND, narrow);
     (*search).at = select(next, high, narrow);
     if done || nothing {

@@ -1,5 +1,5 @@
-// The full contact that cells share: where it takes a cell before the cell lifts.
-// Twin: src/cells/contact/shared_contact.rs.
+// The full contact that cells share: it takes a cell to the place where it may first lift. Twin:
+// src/cells/contact/shared_contact.rs.
 
 // The shared motions. Twin: src/cells/contact/motions.rs.
 @group(0) @binding(12) var<storage, read> motions: array<real>;
@@ -22,23 +22,23 @@ const QUARTERS_H = 11u;
 const BOTTOM = 14u;
 const LOWER_SO_FAR = 15u;
 
-// The gap of v that stands for a gap of u: the last one where the motion of v is shorter.
+// The gap of v that corresponds to a gap of u: the last one where the motion of v is shorter.
 fn gap_of_v(gap: u32, last_v: u32) -> u32 {
     return min(gap, max(last_v, 1u) - 1u);
 }
 
-// True where a cell of this lever, H times its share of u, may lift in a gap between samples: X of
-// (14) is between two bounds, and Y above one.
+// True where a cell with this lever, H times its share of u, may lift in a gap between samples: X of (14) lies
+// between two bounds, and Y lies above one.
 fn lifts(lever: real, upper: real, lower: real, lower_y: real) -> bool {
-    // A negative lever turns the bounds about.
+    // A negative lever exchanges the two bounds.
     let one = lever * upper;
     let other = lever * lower;
     return max(one, other) > model.left.arm * lower_y
         || max(-one, -other) > model.right.arm * lower_y;
 }
 
-// The first gap in which a cell may lift by the largest bounds of X and the least of Y so far, which do not
-// fall and do not rise from gap to gap; or the last sample, which ends no gap. It lifts in no gap before.
+// The first gap in which a cell may lift by the largest bounds of X and the least bound of Y so far, which are
+// monotonic from gap to gap; or the last sample, which ends no gap. The cell does not lift in an earlier gap.
 fn first_beyond(h: u32, v: u32, last: u32, last_v: u32, lever: real) -> u32 {
     let upper_so_far = h + UPPER_SO_FAR * tile.across.more;
     let minus_lower_so_far = h + MINUS_LOWER_SO_FAR * tile.across.more;
@@ -65,7 +65,7 @@ fn first_beyond(h: u32, v: u32, last: u32, last_v: u32, lever: real) -> u32 {
     return low;
 }
 
-// The first gap in which a cell may lift, from a gap on, or the last sample.
+// The first gap from a given one on in which a cell may lift, or the last sample.
 fn first_lift(h: u32, v: u32, last: u32, last_v: u32, lever: real, first: u32) -> u32 {
     let upper = h + UPPER * tile.across.more;
     let lower = h + LOWER * tile.across.more;
@@ -81,7 +81,7 @@ fn first_lift(h: u32, v: u32, last: u32, last_v: u32, lever: real, first: u32) -
     return sample;
 }
 
-// More than any contact force, m/s^2, and any friction; no number type loses it.
+// A number above any contact force, m/s^2, and above any friction, that every number type can hold.
 const MOST = 1.0e30;
 
 // The two motions of a cell.
@@ -93,7 +93,7 @@ struct MotionPair {
     last_v: u32,
 }
 
-// The friction asked for before a sample, where some is known to be.
+// The largest friction demand before a sample, if one is known.
 fn friction_before(pair: MotionPair, size: real, sample: u32, known: real) -> real {
     if tile.still == 1u && sample > 0u {
         let zero: real = 0.0;
@@ -113,7 +113,7 @@ fn move_to(pair: MotionPair, scale: real, sample: u32, state: ptr<function, Stat
     let zero: real = 0.0;
     let all_h = tile.across.more;
     let all_v = tile.up.more;
-    // A motion of v at rest is as long as it is asked for.
+    // A motion of v at rest may be shorter: it stays as it is at its last sample.
     let h = pair.h + sample;
     let v = pair.v + min(sample, pair.last_v);
     var z = motions[h + Z * all_h];
@@ -134,21 +134,21 @@ fn move_to(pair: MotionPair, scale: real, sample: u32, state: ptr<function, Stat
     (*state).most_v = motions[v + TOP * all_v];
 }
 
-// The contact forces up to a sample, of which the friction is known.
+// The contact forces up to a sample whose friction demand is known.
 fn meet_forces(pair: MotionPair, sample: u32, friction: real, state: ptr<function, State>) {
     let least = motions[pair.v + min(sample, pair.last_v) + LEAST_SO_FAR * tile.up.more];
     (*state).min_contact = select(model.gravity, least, least < model.gravity);
     (*state).friction = friction;
 }
 
-// Takes a cell from its start to the first gap in which it may lift, to the step at which it is final, or to the end of the
-// motions. It is tried as an integration of its own would try it.
+// Takes a cell from its start to the first gap in which it may lift, to the step at which it is final, or to the end
+// of the motions. The cell is checked for being final at the same steps as in an integration of its own.
 fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, State>) {
     let first_h = entry(tile.across, place);
     let first_v = entry(tile.up, place);
     let h = words[first_h];
     let v = tile.up_values + words[first_v];
-    // u is A_h times what it is for A_h = 1.
+    // u is A_h times its value for A_h = 1.
     let lever = model.height * scale;
     // The last sample ends no gap.
     let last = words[first_h + 1u] - h - 1u;
@@ -157,11 +157,11 @@ fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, Stat
     let first = first_beyond(h, v, last, last_v, lever);
     let sample = first_lift(h, v, last, last_v, lever, first);
     var friction: real = 0.0;
-    // A motion that goes on after the excitation has a sample a step.
+    // A motion that is continued after the excitation has one sample per step.
     var tried = cell.steps_forced + STEPS_A_TRY;
     while certificate && tried <= sample && tried < cell.steps {
         move_to(pair, scale, tried, state);
-        // As if the contact forces passed no extreme: they take longer to be known.
+        // The contact forces are treated as if they had no extreme yet: they take longer to become known.
         let most: real = MOST;
         (*state).friction = most;
         (*state).min_contact = -most;

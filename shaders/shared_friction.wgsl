@@ -1,8 +1,8 @@
-// The friction that full contact asks for, of the motions that cells share.
-// Twin: src/cells/contact/shared_friction.rs.
+// The friction demand of full contact, from the motions that cells share. Twin: src/cells/contact/shared_friction.rs.
 
-// The friction asked for at the samples before one, where some is known to be. A motion grows until the block lifts: from
-// the last sample backwards, until the largest |X| so far over the least Y so far exceeds no more.
+// The friction demand at the samples before a given one, if it is known at some. The motion of a block grows until
+// the block lifts, so the search goes backwards from the last sample, until the largest |X| so far over the least Y
+// so far is not larger any more.
 fn at_samples(h: u32, v: u32, last_v: u32, size: real, sample: u32, known: real) -> real {
     let x = h + ACCELERATION * tile.across.more;
     let y = v + ACCELERATION * tile.up.more;
@@ -21,7 +21,7 @@ fn at_samples(h: u32, v: u32, last_v: u32, size: real, sample: u32, known: real)
     return friction;
 }
 
-// Share of the friction asked for by which a gap must exceed it to be looked into.
+// The share of the friction demand by which a gap must exceed it to be searched.
 const OVER = 2.0e-4;
 
 struct Dip {
@@ -41,9 +41,9 @@ fn dip(start: real, mid: real, end: real) -> Dip {
     return Dip(parabola(start, mid, end, at), at);
 }
 
-// The friction asked for up to a sample, crests between samples included: in gaps where the largest |X|
-// over the least Y exceeds the largest so far, it is looked for on parabolas through eighths of them, and
-// where Y is least. How small Y is there is known; the parabolas tell when. Backwards as at the samples.
+// The friction demand up to a sample, crests between samples included. Where the largest |X| of a gap over its least
+// Y exceeds the largest demand so far, the demand is searched for on parabolas through eighths of the gap and at the
+// least Y, backwards as at the samples. The least Y is known; the parabolas tell its time.
 fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, friction_before: real) -> real {
     let zero: real = 0.0;
     let early: real = 0.25;
@@ -69,7 +69,7 @@ fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, friction_before:
         let next_v = at_v + 1u + ACCELERATION * all_v;
         let quarter = at + QUARTERS_H * all_h;
         let eighth = at_v + EIGHTHS_V * all_v;
-        // Of spans of two eighths each: the largest share, and |X| where Y is least.
+        // Of spans of two eighths each: the largest share, and |X| at the least Y.
         var ends = zero;
         var top = zero;
         var least = motions[next_v - 1u];
@@ -77,7 +77,7 @@ fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, friction_before:
         var x0 = x_there;
         var y0 = least;
         for (var span = 0u; span < 4u; span++) {
-            // The parabola of X through the half of the gap that the span is in.
+            // The parabola of X through that half of the gap in which the span lies.
             let middle = motions[quarter + all_h];
             let first_half = span < 2u;
             let start_h = select(middle, motions[next - 1u], first_half);
@@ -106,7 +106,7 @@ fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, friction_before:
         }
         var most = ends;
         if least_y > 0.0 {
-            // No more than the bound that the gap was looked into for.
+            // The result is not above the bound because of which the gap was searched.
             let bound = size * share(magnitude, least_y);
             let there = size * share(abs(x_there), least_y);
             most = min(max(max(top, there), ends), max(bound, ends));

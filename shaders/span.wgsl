@@ -1,11 +1,11 @@
-// The end of a span before any root search: the end of the step, the limit of stability, or an impact to
-// come. Twin: src/stepping/span.rs.
+// The end of a span before any search for a root: the end of the step, the limit of stability, or an estimated
+// impact. Twin: src/stepping/span.rs.
 
 // The longest span over the relaxation time u_y/(n |u'|) of z in (11): RK4 is stable up to 2.79.
 const YIELD_LIMIT = 2.0;
 // The longest span against an end stop, or on a spring that hardens, times the rate of the motion there.
 const STIFF_LIMIT = 0.1;
-// A span that is cut for an impact is longer by this share than the estimated time to the impact.
+// The share by which a span that is cut for an impact is longer than the estimated time to the impact.
 const BEYOND = 5.0e-4;
 
 struct Span {
@@ -13,8 +13,8 @@ struct Span {
     cut: bool,
 }
 
-// Begins a span: the rest of the step. It ends earlier where RK4 would not be stable for z, and where the
-// block lands by an estimate from its rates.
+// Begins a span with the rest of the step. It ends earlier where RK4 would be unstable for z, and where the block
+// lands by an estimate from its rates.
 fn begin_span(
     cell: Cell,
     corner: Corner,
@@ -28,7 +28,7 @@ fn begin_span(
     let beyond: real = 1.0 + BEYOND;
     var span = Span(1.0 - start, false);
     if stops || hardens {
-        // The rate of the fastest motion: against the stop, or on the spring where it is hardest.
+        // The rate of the fastest motion: against the stop, or on the spring at its largest stiffness.
         var rate = cell.stop_rate * abs(stop);
         if hardens {
             rate = max(rate, sqrt(cell.stiffness_v + 3.0 * cell.hardening_v * y.v * y.v));
@@ -48,7 +48,7 @@ fn begin_span(
         }
     }
     if rocking {
-        // phi + d s + a s^2/2 after the fraction s of a step.
+        // The angle is phi + d s + a s^2/2 after the fraction s of a step.
         let phi = corner.side * y.phi;
         let d = corner.side * y.dphi * step;
         let a = corner.side * k1.ddphi * step * step;

@@ -1,23 +1,23 @@
-// One thread a cell: a stretch of its turns, from its state to its state. Twin: src/backend/cpu.rs.
+// One thread for each cell: a number of its turns, from a state to a later state. Twin: src/backend/cpu.rs.
 
 override workgroup_size: u32 = 64u;
 
 struct Dispatch {
-    // Slots for cells, those of two tiles.
+    // The number of slots for cells: those of two tiles.
     slots: u32,
-    // Turns of a cell at least.
+    // The fewest turns of a cell.
     work: u32,
-    // Number of the dispatch, from 0 to 3 and again.
+    // The number of the dispatch, which counts from 0 to 3 and begins again.
     number: u32,
     padding: u32,
 }
 
 struct Tally {
-    // Cells to run in a dispatch, a ring: a dispatch reads its own number and adds to the next one.
+    // The numbers of cells to run in each dispatch, a ring: a dispatch reads its own number and adds to the next one.
     running: array<atomic<u32>, 4>,
-    // Cells of each of the two tiles that still run.
+    // The number of cells of each of the two tiles that still run.
     left: array<atomic<u32>, 2>,
-    // Steps that all cells took so far, modulo 2^32.
+    // The steps that all cells took so far, modulo 2^32.
     steps: atomic<u32>,
     padding: u32,
 }
@@ -26,25 +26,25 @@ struct Tally {
 @group(0) @binding(2) var<storage, read_write> states: array<State>;
 @group(0) @binding(3) var<uniform> dispatch: Dispatch;
 @group(0) @binding(4) var<storage, read_write> tally: Tally;
-// The cells that run, twice: a dispatch reads one list and writes the other.
+// The two lists of running cells: a dispatch reads one and writes the other.
 @group(0) @binding(7) var<storage, read_write> running: array<u32>;
 // The bodies, by number.
 @group(0) @binding(13) var<storage, read> models: array<Model>;
 
-// Cells differ in their body.
+// True where cells differ in their body.
 override bodies: bool = false;
 
-// This thread's cell.
+// The cell of this thread.
 var<private> lane: u32;
 
-// A workgroup adds up its cells before one of its threads adds them to the tally, so that few threads
-// wait for each other, and neighbours in one list are neighbours in the next.
+// A workgroup counts its cells before one of its threads adds the count to the tally, so that few threads wait for
+// each other, and neighbours in one list are neighbours in the next.
 var<workgroup> group_running: atomic<u32>;
 var<workgroup> group_ended: array<atomic<u32>, 2>;
 var<workgroup> group_steps: atomic<u32>;
 var<workgroup> group_place: u32;
 
-// Puts those of a workgroup's cells that run in the list of a dispatch. Every thread must come here.
+// Puts the running cells of a workgroup in the list of a dispatch. Every thread must call this.
 fn enlist(local: u32, runs: bool, number: u32, slots: u32) {
     var place = 0u;
     if runs {
@@ -66,7 +66,7 @@ fn sweep(
     @builtin(local_invocation_index) local: u32,
 ) {
     if id.x == 0u {
-        // Nobody adds to it before the next dispatch.
+        // No thread adds to it before the next dispatch.
         atomicStore(&tally.running[(dispatch.number + 2u) % 4u], 0u);
     }
     var runs = false;
@@ -83,7 +83,7 @@ fn sweep(
         let first = state.step;
         var turns = begin_turns(cell, state);
         var done = 0u;
-        // A cell leaves at a step's edge, so that no search is kept between dispatches.
+        // A cell stops at the end of a step, so that no search is kept between dispatches.
         while state.status == RUNNING && (done < work || !at_an_edge(turns)) {
             turn(cell, &state, &turns);
             done += 1u;

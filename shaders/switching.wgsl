@@ -1,6 +1,6 @@
-// What happens at a switch: uplift, impact, rest, overturning. Twin: src/stepping/switching.rs.
+// The change of the phase at a switch: uplift, impact, rest, overturning. Twin: src/stepping/switching.rs.
 
-// The block lifts, about the left corner or the right.
+// The block lifts about the left or the right corner.
 fn lift(state: ptr<function, State>, left: bool, fraction: real) {
     if (*state).uplifts == 0u {
         (*state).uplift_step = (*state).step;
@@ -11,9 +11,9 @@ fn lift(state: ptr<function, State>, left: bool, fraction: real) {
     switched(state, select(UPLIFT_RIGHT, UPLIFT_LEFT, left), fraction);
 }
 
-// The block lands: it goes on about its other corner. One too slow to lift again comes to rest on both,
-// unless the contact force lifts it there; where the law of impact leaves no rebound (eta_phi <= 0) it
-// always comes to rest.
+// The block lands and turns about its other corner. A block that is too slow to lift again comes to rest on both
+// corners, unless the contact force lifts it there. Where the law of impact gives no rebound (eta_phi <= 0) it always
+// comes to rest.
 fn land(cell: Cell, state: ptr<function, State>, forcing: Forcing, fraction: real) {
     let y = (*state).motion;
     let leaving = pivot((*state).mode);

@@ -1,11 +1,11 @@
-// A tile's cells: which of the grid's they are, and where the tables hold their numbers.
-// Twin: src/backend/gpu/tile.rs.
+// The cells of a tile: their places in the grid, and the places of their numbers in the tables. Twin:
+// src/backend/gpu/tile.rs.
 
-// Where a table's entries lie.
+// The layout of the entries of a table.
 struct Layout {
-    // Place of the entry of a cell at the start of every axis, modulo 2^32: it may lie before the first.
+    // The place of the entry of a cell at the start of every axis, modulo 2^32: it may lie before the first entry.
     first: u32,
-    // From a value of each axis to the next.
+    // The distance between two values of each axis.
     stride_0: u32,
     stride_1: u32,
     stride_2: u32,
@@ -16,56 +16,56 @@ struct Layout {
     more: u32,
 }
 
-// A tile's cells, and where their numbers lie.
+// The cells of a tile, and the places of their numbers.
 struct Tile {
-    // Tables in `numbers`.
+    // The layouts of the tables in `numbers`.
     horizontal: Layout,
     vertical: Layout,
     drive: Layout,
-    // That of the clocks; more: 1 where each cell has the number of its clock in `words`, from first on.
+    // The layout of the clocks; more: 1 where each cell has the number of its clock in `words`, from first on.
     clock: Layout,
-    // Of the bodies, by number.
+    // The layout of the bodies, by number.
     bodies: Layout,
-    // Of the motions' beginnings in `words`; more: samples of all motions.
+    // The layouts of the beginnings of motions in `words`; more: the number of samples of all motions.
     across: Layout,
     up: Layout,
-    // Values of the axes after the first but the last, 1 for those that a grid has not.
+    // The number of values of each axis after the first except the last; 1 for an axis that the grid does not have.
     counts: vec4<u32>,
-    // Place in `numbers` of the first body's height and lever arms.
+    // The place in `numbers` of the height and the lever arms of the first body.
     levers: u32,
-    // Place of the vertical motions in `motions`.
+    // The place of the vertical motions in `motions`.
     up_values: u32,
     // 1 where there are shared motions.
     shared_contact: u32,
     // 1 where the base does not move vertically before the block lifts.
     still: u32,
-    // Cells of the tile.
+    // The number of cells of the tile.
     cells: u32,
-    // Columns of the grid.
+    // The number of columns of the grid.
     columns: u32,
-    // Column and row of the tile's first cell; rows are those of all axes after the first together.
+    // The column and the row of the first cell of the tile; rows are those of all axes after the first together.
     first_column: u32,
     first_row: u32,
-    // How threads take cells: IN_ORDER, IN_BLOCKS or LISTED.
+    // The order in which threads take cells: IN_ORDER, IN_BLOCKS or LISTED.
     order: u32,
-    // Blocks in a row of the grid; for LISTED the place in `words` of the first cell's places.
+    // The number of blocks in a row of the grid; for LISTED the place in `words` of the places of the first cell.
     blocks: u32,
-    // The tile's first slot, and the slots of all tiles.
+    // The first slot of the tile, and the number of slots of all tiles.
     first_slot: u32,
     slots: u32,
-    // Number of the dispatch that is to run the cells first.
+    // The number of the dispatch that first runs the cells.
     number: u32,
     padding_0: u32,
     padding_1: u32,
     padding_2: u32,
 }
 
-// A tile's cells follow one another in the grid, and threads take them so.
+// The cells of a tile follow one another in the grid, and threads take them in this order.
 const IN_ORDER = 0u;
-// They follow one another, and threads take them in blocks of 8 by 4, so that those of a warp are
-// near neighbours.
+// The cells follow one another, and threads take them in blocks of 8 by 4, so that those of a warp are close
+// together.
 const IN_BLOCKS = 1u;
-// Each cell's places along all axes stand in a list.
+// A list holds the places of each cell along all axes.
 const LISTED = 2u;
 
 const BLOCK_WIDTH = 8u;
@@ -76,8 +76,8 @@ const BLOCK_CELLS = 32u;
 // Numbers of clocks, places of motions, and cells of a list.
 @group(0) @binding(11) var<storage, read> words: array<u32>;
 
-// A cell's number in its tile, and its place along each axis; the number is no less than the tile's cells
-// for a thread that has none.
+// The number of a cell in its tile, and its place along each axis. For a thread without a cell the number is not less
+// than the number of cells of the tile.
 struct Place {
     number: u32,
     at_0: u32,
@@ -113,7 +113,7 @@ fn place_of(thread: u32) -> Place {
         let column = block % tile.blocks * BLOCK_WIDTH + within % BLOCK_WIDTH;
         let rows = block / tile.blocks * BLOCK_HEIGHT + within / BLOCK_WIDTH;
         let from_row = rows * tile.columns + column;
-        // Beside the grid, or before the tile's first cell.
+        // A place beside the grid, or before the first cell of the tile.
         if column >= tile.columns || from_row < tile.first_column {
             return along_axes(tile.cells, 0u, 0u);
         }
@@ -135,7 +135,7 @@ fn place_of(thread: u32) -> Place {
     return along_axes(thread, from_row % tile.columns, tile.first_row + from_row / tile.columns);
 }
 
-// Place of a cell's entry in a table.
+// The place of the entry of a cell in a table.
 fn entry(table: Layout, place: Place) -> u32 {
     return table.first + place.at_0 * table.stride_0 + place.at_1 * table.stride_1
         + place.at_2 * table.stride_2 + place.at_3 * table.stride_3

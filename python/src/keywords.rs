@@ -398,11 +398,35 @@ pub fn refining(
     Ok(Some(refining))
 }
 
+/// A type that a value is read as.
+pub trait Taken<'py>: for<'a> FromPyObject<'a, 'py, Error = PyErr> {}
+
+impl<'py, T: for<'a> FromPyObject<'a, 'py, Error = PyErr>> Taken<'py> for T {}
+
+/// The number of a keyword, where it is given.
+pub fn number_of<'py, T: Taken<'py>>(
+    keywords: &Bound<'py, PyDict>,
+    key: &str,
+    expected: &str,
+) -> PyResult<Option<T>> {
+    value_of(keywords, key)?.map(|value| taken_number(key, &value, expected)).transpose()
+}
+
+/// The value of a keyword that is no number, where it is given.
+pub fn given<'py, T: Taken<'py>>(
+    keywords: &Bound<'py, PyDict>,
+    key: &str,
+    expected: &str,
+) -> PyResult<Option<T>> {
+    value_of(keywords, key)?.map(|value| taken(key, &value, expected)).transpose()
+}
+
 /// A number of a type; `expected` says which. Neither a truth nor an array is one.
-pub fn taken_number<'py, T>(key: &str, value: &Bound<'py, PyAny>, expected: &str) -> PyResult<T>
-where
-    T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
-{
+pub fn taken_number<'py, T: Taken<'py>>(
+    key: &str,
+    value: &Bound<'py, PyAny>,
+    expected: &str,
+) -> PyResult<T> {
     unmasked(key, value)?;
     match number(value) {
         Some(_) => taken(key, value, expected),
@@ -411,10 +435,11 @@ where
 }
 
 /// A value of a type; `expected` says which. Numbers are [`taken_number`]s.
-pub fn taken<'py, T>(key: &str, value: &Bound<'py, PyAny>, expected: &str) -> PyResult<T>
-where
-    T: for<'a> FromPyObject<'a, 'py, Error = PyErr>,
-{
+pub fn taken<'py, T: Taken<'py>>(
+    key: &str,
+    value: &Bound<'py, PyAny>,
+    expected: &str,
+) -> PyResult<T> {
     let problem = |_| of_keyword(key, format!("{} is not {expected}", brief(value)));
     value.extract().map_err(problem)
 }

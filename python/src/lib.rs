@@ -24,9 +24,9 @@ fn _topple(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(map::check, module)?)?;
     module.add_function(wrap_pyfunction!(history::history, module)?)?;
     module.add_function(wrap_pyfunction!(suite::suite, module)?)?;
-    module.add_function(wrap_pyfunction!(suite::envelope, module)?)?;
-    module.add_function(wrap_pyfunction!(suite::fragility, module)?)?;
-    module.add_function(wrap_pyfunction!(suite::compare, module)?)?;
+    module.add_function(wrap_pyfunction!(suite::envelope::envelope, module)?)?;
+    module.add_function(wrap_pyfunction!(suite::fragility::fragility, module)?)?;
+    module.add_function(wrap_pyfunction!(suite::compare::compare, module)?)?;
     module.add_function(wrap_pyfunction!(report::report, module)?)?;
     module.add_function(wrap_pyfunction!(picture::palette, module)?)?;
     module.add_function(wrap_pyfunction!(picture::check_print, module)?)?;

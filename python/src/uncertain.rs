@@ -9,7 +9,7 @@ use topple_studies::{Probabilities, Uncertainty, Varied};
 
 use crate::axes::{axes, coordinates};
 use crate::errors::{of_keyword, of_scene, of_sweep};
-use crate::keywords::{REFINING, Request, several, taken, taken_number, value_of};
+use crate::keywords::{REFINING, Request, given, number_of, several, value_of};
 use crate::watch;
 
 /// The keyword that asks how sharp the boundaries are.
@@ -109,22 +109,17 @@ fn about(all: &Probabilities, uncertainty: &Uncertainty, settings: &RunSettings)
 
 /// What keywords say is not known.
 fn uncertainty(keywords: &Bound<'_, PyDict>) -> PyResult<Uncertainty> {
-    let given = |key: &str| value_of(keywords, key);
-    let whole = |key: &str, expected: &str| -> PyResult<Option<u32>> {
-        given(key)?.map(|value| taken_number(key, &value, expected)).transpose()
-    };
-    let flag = |value| taken(PIXEL, &value, "True or False");
     let (default, range) = SWEEPS;
-    let samples = whole(SAMPLES, "a whole number")?.unwrap_or(default);
+    let samples = number_of(keywords, SAMPLES, "a whole number")?.unwrap_or(default);
     if !range.contains(&samples) {
         let problem = format!("{samples} is not in {} to {}", range.start(), range.end());
         return Err(of_keyword(SAMPLES, problem));
     }
     Ok(Uncertainty {
         vary: varied(keywords)?,
-        pixel: given(PIXEL)?.map(flag).transpose()?.unwrap_or(false),
+        pixel: given(keywords, PIXEL, "True or False")?.unwrap_or(false),
         samples,
-        seed: whole(SEED, A_SEED)?.unwrap_or(0),
+        seed: number_of(keywords, SEED, A_SEED)?.unwrap_or(0),
     })
 }
 
@@ -148,10 +143,7 @@ pub fn varied(keywords: &Bound<'_, PyDict>) -> PyResult<Vec<Varied>> {
 
 /// True where it is asked how sharp the boundaries are.
 pub fn sharpness(keywords: &Bound<'_, PyDict>, settings: &RunSettings) -> PyResult<bool> {
-    let Some(value) = value_of(keywords, SHARPNESS)? else {
-        return Ok(false);
-    };
-    let asked = taken::<bool>(SHARPNESS, &value, "True or False")?;
+    let asked = given(keywords, SHARPNESS, "True or False")?.unwrap_or(false);
     let shard = settings.saving.as_ref().is_some_and(|saving| saving.shard.is_some());
     if asked && shard {
         return Err(of_keyword(

@@ -30,10 +30,12 @@ def records(command, tmp_path_factory):
     command("seismic", "--object", 1, "--t-h", 1, "--t-v", 0.4, "--verify", "none", "--out", out)
     for name in ("synthetic_h.at2", "synthetic_v.at2"):
         shutil.copy(out / name, folder / name)
+    # Motions that share no file are two recordings.
+    shutil.copy(out / "synthetic_h.at2", folder / "other_h.at2")
     lines = [
         "id,horizontal,vertical,scale,weight",
         "one,synthetic_h.at2,synthetic_v.at2,1,1",
-        "two,synthetic_h.at2,,1.7,2",
+        "two,other_h.at2,,1.7,2",
         "three,synthetic_v.at2,synthetic_h.at2,2.5,1",
     ]
     (folder / "list.csv").write_text("\n".join(lines) + "\n")

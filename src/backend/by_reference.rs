@@ -5,7 +5,8 @@ use crate::scene::Case;
 use crate::stepping::outcome::Outcome;
 use crate::stepping::reference::{self, Settings};
 
-/// The outcome of a cell by the reference, with the directions locked that a sweep locks; none where it is not to `go_on`.
+/// The outcome of a cell by the reference, with the directions locked that a sweep locks; none if `go_on` ends the
+/// computation.
 pub fn by_reference(
     plan: &Plan,
     case: &Case,

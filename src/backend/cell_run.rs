@@ -1,4 +1,4 @@
-//! What is requested of a backend: cells of a plan's grid, and how they are run.
+//! A request to a backend: cells of the grid of a plan, and how they are run.
 
 use std::borrow::Cow;
 
@@ -13,23 +13,23 @@ pub struct CellRun<'a> {
     pub plan: &'a Plan,
     /// The grid that numbers the cells.
     pub grid: &'a Grid,
-    /// Their numbers, in any order; the outcomes are in this order.
+    /// The numbers of the cells, in any order; the outcomes have the same order.
     pub cells: Cow<'a, [usize]>,
     /// Number type.
     pub precision: Precision,
     /// Each cell runs twice, see [`Method::resolve`](crate::sweep::settings::Method::resolve).
     pub resolve: bool,
-    /// Who takes the cells that are done while the others run.
+    /// The receiver of cells that are done while others still run.
     pub snapshots: Option<Snapshots<'a>>,
 }
 
-/// Takes the outcomes of a run that goes on: in the order of its cells, and as they will be at the end. Cells that have not
-/// run are pending.
+/// Receives the outcomes of a run that continues: in the order of its cells, and with the values that they have at
+/// the end. Cells that have not run are pending.
 #[derive(Clone, Copy)]
 pub struct Snapshots<'a> {
     /// True when a snapshot is due.
     pub due: &'a (dyn Fn() -> bool + Sync),
-    /// Takes one.
+    /// Receives a snapshot.
     pub take: &'a (dyn Fn(Block) + Sync),
 }
 
@@ -49,7 +49,7 @@ impl<'a> CellRun<'a> {
         CellRun::of(plan, grid, (0..grid.len()).collect::<Vec<usize>>(), precision)
     }
 
-    /// The same, its cells twice each where that is requested.
+    /// The same request, with each cell run twice where that is requested.
     pub fn resolving(self, resolve: bool) -> CellRun<'a> {
         CellRun { resolve, ..self }
     }

@@ -1,4 +1,4 @@
-//! The sweep on the CPU: on vectors, or one cell at a time where its switches are kept.
+//! The sweep on the CPU: on vectors, or one cell at a time where the switches are kept.
 
 use bytemuck::Zeroable;
 use fearless_simd::Level;
@@ -18,11 +18,11 @@ use crate::stepping::single;
 use crate::work::observer::{Observer, Unwatched};
 use crate::work::threads::install;
 
-/// Cells that a thread takes at once.
+/// The number of cells that a thread takes at once.
 const BLOCK: usize = 16;
 
-/// Runs cells of a grid on all cores, on the widest vectors that this machine has, once each; `observer` hears of cells that
-/// are done.
+/// Runs cells of a grid on all cores, once each, on the widest vectors of this machine; `observer` is told of cells
+/// that are done.
 pub fn sweep(
     precision: Precision,
     plan: &Plan,
@@ -33,7 +33,7 @@ pub fn sweep(
     lanes::sweep(&CellRun::of(plan, grid, cells, precision), observer, Level::new())
 }
 
-/// The same, a cell at a time: vectors of one lane.
+/// The same with one cell at a time: vectors of one lane.
 pub fn sweep_one_by_one(
     precision: Precision,
     plan: &Plan,
@@ -57,7 +57,7 @@ fn outcomes<R: Real>(
     ran.into_iter().map(|(outcome, ())| outcome).collect()
 }
 
-/// The same, with the first `events_kept` switches of each cell.
+/// The same, and keeps the first `events_kept` switches of each cell.
 pub fn sweep_keeping<R: Real>(
     plan: &Plan,
     grid: &Grid,

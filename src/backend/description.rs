@@ -11,6 +11,6 @@ pub struct AdapterDescription {
     pub api: String,
     /// Driver and its version.
     pub driver: String,
-    /// It computes in double precision.
+    /// True where the adapter computes in double precision.
     pub f64: bool,
 }

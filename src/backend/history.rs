@@ -19,7 +19,7 @@ use crate::stepping::state::State;
 use crate::cells::clock::Clock;
 use crate::cells::plan::Plan;
 
-/// An instant of a motion. SI units.
+/// An instant of a motion, in SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
     /// Time, s.
@@ -42,16 +42,16 @@ pub struct Row {
     pub dphi: f64,
 }
 
-/// What a switch between two rows of a motion is.
+/// The kinds of switches between two rows of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Event {
     /// The block lifts.
     Uplift,
-    /// It lands, and rocks on about the other corner.
+    /// The block lands and rocks about the other corner.
     Impact,
-    /// It lands, and stays in full contact.
+    /// The block lands and stays in full contact.
     Rest,
-    /// It overturns.
+    /// The block overturns.
     Overturning,
 }
 
@@ -88,10 +88,10 @@ pub fn events(rows: &[Row], outcome: &Outcome) -> Vec<(Event, Row)> {
     events
 }
 
-/// What a column of a history has of the forces at a row.
+/// The value of a column of a history, from the forces at a row.
 pub type OfForces = fn(&Forces) -> f64;
 
-/// Columns of the forces and of the ground's accelerations: accelerations in m/s² without gravity, forces in N.
+/// Columns of the forces and of the accelerations of the ground: accelerations in m/s² without gravity, forces in N.
 pub const FORCE_COLUMNS: [(&str, OfForces); 9] = [
     ("ground_h", |forces| forces.ground_h),
     ("ground_v", |forces| forces.ground_v),
@@ -104,7 +104,7 @@ pub const FORCE_COLUMNS: [(&str, OfForces); 9] = [
     ("base_load", |forces| forces.base_load),
 ];
 
-/// The forces and the ground's accelerations at each row of a motion.
+/// The forces and the accelerations of the ground at each row of a motion.
 pub fn forces(scene: &Scene, case: &Case, rows: &[Row]) -> Vec<Forces> {
     let mut of = ForcesOf::new(scene, case);
     let at = |row: &Row| {
@@ -130,13 +130,13 @@ pub fn forces(scene: &Scene, case: &Case, rows: &[Row]) -> Vec<Forces> {
     rows.iter().map(at).collect()
 }
 
-/// The word of full contact among modes.
+/// The name of full contact among the modes.
 const FULL_CONTACT: &str = "full_contact";
 
 /// Rows at the switches of a cell.
 struct Switches<'a> {
     clock: &'a Clock,
-    /// By which v lies below the static position, m.
+    /// The distance of v below the static position, m.
     deflection: f64,
     rows: &'a RefCell<Vec<Row>>,
 }
@@ -162,7 +162,7 @@ fn row<R: Real>(t: f64, deflection: f64, state: &State<R>) -> Row {
 /// Most rows of a motion: 640 MiB.
 const MOST_ROWS: usize = 1 << 23;
 
-/// Refuses a motion that was not told to its end, for it has too many rows.
+/// Refuses a motion that was ended because it has too many rows.
 ///
 /// # Errors
 /// The key `t_max`.
@@ -174,13 +174,14 @@ pub fn check_rows(rows: &[Row]) -> Result<(), SceneError> {
     Ok(())
 }
 
-/// The motion by fixed steps: a row for each step, and one for each switch. It is [checked](check_rows) before it is used.
+/// The motion by fixed steps: one row for each step, and one for each switch. It is [checked](check_rows) before it
+/// is used.
 pub fn by_steps<R: Real>(plan: &Plan, case: &Case) -> (Vec<Row>, Outcome) {
     by_steps_while(R::PRECISION, plan, case, &|rows| rows <= MOST_ROWS)
 }
 
-/// The same as long as `go_on` holds, which is asked at each step and told how many rows there are. A motion that was ended
-/// has the outcome of its last state, which means nothing.
+/// The same as long as `go_on` is true. `go_on` is called at each step with the number of rows so far. A motion that
+/// was ended this way has the outcome of its last state, which has no meaning.
 pub fn by_steps_while(
     precision: Precision,
     plan: &Plan,
@@ -216,7 +217,7 @@ fn rows<R: Real>(plan: &Plan, case: &Case, go_on: &dyn Fn(usize) -> bool) -> (Ve
     (rows.take(), plan.outcome(case, &state))
 }
 
-/// The motion by the reference: a row for each of its adaptive steps, and one for each switch. It is
+/// The motion by the reference: one row for each of its adaptive steps, and one for each switch. It is
 /// [checked](check_rows) before it is used.
 pub fn by_reference(scene: &Scene, case: &Case) -> (Vec<Row>, Outcome) {
     let mut rows = Vec::new();

@@ -1,4 +1,4 @@
-//! The sweep on the CPU's vectors: threads whose lanes take cells from one queue.
+//! The sweep on the vectors of the CPU: threads whose lanes take cells from one queue.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -19,15 +19,15 @@ use crate::work::observer::Observer;
 use crate::work::threads::install;
 use crate::work::vectors::vectorized;
 
-/// Cells that a thread takes from the queue, and outcomes that it gives back, at once.
+/// The number of cells that a thread takes from the queue, and of outcomes that it returns, at once.
 const AT_ONCE: usize = 64;
 
-/// The cells that a thread takes from the queue, and the outcomes that it gives back, some at a time.
+/// The cells that a thread takes from the queue and the outcomes that it returns, several at a time.
 struct ThreadFeed<'a, R> {
     run: &'a CellRun<'a>,
     observer: &'a dyn Observer,
     all: &'a Cells<'a, R>,
-    /// See [`by_motions`]; without shared motions that of the list.
+    /// See [`by_motions`]; without shared motions the order of the list.
     order: Option<&'a [u32]>,
     queue: &'a AtomicUsize,
     outcomes: &'a Mutex<Vec<Outcome>>,
@@ -36,10 +36,10 @@ struct ThreadFeed<'a, R> {
 }
 
 impl<R: Real> ThreadFeed<'_, R> {
-    /// Stores the outcomes in the cells' order.
+    /// Stores the outcomes in the order of the cells.
     fn deliver(&mut self) {
         self.observer.advance(self.ended.len());
-        // A thread that panicked has stored whole outcomes only.
+        // If a thread panicked here, it has stored complete outcomes only.
         let mut outcomes = self.outcomes.lock().unwrap_or_else(PoisonError::into_inner);
         for (number, outcome) in self.ended.drain(..) {
             outcomes[number] = outcome;
@@ -83,8 +83,8 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
     }
 }
 
-/// Runs cells on all cores with the vectors of a level, once each; `observer` hears of cells that are done. Not generic, so
-/// that its callers do not compile all kinds of vectors again.
+/// Runs cells on all cores with the vectors of a level, once each; `observer` is told of cells that are done. The
+/// function is not generic, so that its callers do not compile all kinds of vectors again.
 pub fn sweep(run: &CellRun, observer: &dyn Observer, level: Level) -> Vec<Outcome> {
     match run.precision {
         Precision::F32 => on_lanes::<f32>(run, observer, level),
@@ -125,13 +125,13 @@ fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Ve
     if observer.cancelled()
         && let Some(snapshots) = run.snapshots
     {
-        // What was done is not lost.
+        // The outcomes of cells that are done are kept.
         (snapshots.take)(Block::of_outcomes(&outcomes, R::PRECISION));
     }
     outcomes
 }
 
-/// The vector instructions that this machine has, the narrowest first: names and levels.
+/// The vector instructions of this machine, the narrowest first: names and levels.
 pub fn levels() -> Vec<(&'static str, Level)> {
     let best = Level::new();
     #[cfg(target_arch = "x86_64")]

@@ -1,4 +1,4 @@
-//! The same cells on lanes of a CPU, on a device, and by the reference.
+//! Runs the same cells on the lanes of a CPU, on a device, or by the reference.
 //!
 //! ```text
 //! request -> ready, cell_run -> (lanes | gpu | by_reference) -> outcomes

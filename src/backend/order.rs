@@ -1,19 +1,19 @@
 //! The order in which the CPU begins the cells of a list.
 //!
-//! A cell begins with a search along its two motions in full contact. Cells of the same motions come one after
-//! another, so that the motions are in the fastest caches: in a map whose first axis changes the motions, each cell
-//! of a row would read others from memory.
+//! A cell begins with a search along its two motions in full contact. Cells with the same motions follow one another,
+//! so that these motions stay in the fastest caches: in a map whose first axis changes the motions, each cell of a
+//! row would otherwise read other motions from memory.
 
 use rayon::prelude::*;
 
 use crate::cells::listing::{CellAt, Index};
 use crate::scene::Grid;
 
-/// Motions of u that stay in a core's cache while those of v pass.
+/// The number of motions of u that stay in the cache of a core while the motions of v are read.
 const STRIP: usize = 8;
 
-/// The places of a list's cells, in the order in which they begin: by strips of motions of u, in each by motions of v.
-/// `motions` tells where cells find theirs.
+/// The places of the cells of a list in the order in which they begin: by strips of motions of u, and in each strip
+/// by motions of v. `motions` tells where cells find their motions.
 pub fn by_motions(motions: &[Index; 2], grid: &Grid, cells: &[usize]) -> Vec<u32> {
     let [across, up] = motions;
     let keys: Vec<[u32; 2]> = cells
@@ -26,14 +26,14 @@ pub fn by_motions(motions: &[Index; 2], grid: &Grid, cells: &[usize]) -> Vec<u32
             [(across.of(&cell) / STRIP) as u32, up.of(&cell) as u32]
         })
         .collect();
-    // A list has fewer than 2^32 cells: a batch of a sweep, or what a refined map asks for.
+    // A list has fewer than 2^32 cells: it is a batch of a sweep, or the cells that a refined map requests.
     let order = (0..cells.len() as u32).collect();
     [1, 0]
         .into_iter()
         .fold(order, |order, digit| sorted(order, |place| keys[place as usize][digit]))
 }
 
-/// Sorts by counting; what has the same key stays as it was.
+/// Sorts by counting; the order of equal keys is kept.
 fn sorted(order: Vec<u32>, key: impl Fn(u32) -> u32) -> Vec<u32> {
     let most = order.iter().map(|place| key(*place)).max().unwrap_or(0);
     let mut starts = vec![0; most as usize + 2];
@@ -63,7 +63,7 @@ mod tests {
     use crate::scene::{Parameter, Range, SceneBuilder};
     use crate::work::observer::Unwatched;
 
-    /// Cells of the same motions come together, and each cell once, also from a list that leaves some out.
+    /// Cells with the same motions are neighbours, and each cell occurs once, also in a list that omits some cells.
     #[test]
     fn cells_of_the_same_motions_come_together() {
         let scene = SceneBuilder::object(1)
@@ -85,7 +85,7 @@ mod tests {
         let columns: Vec<usize> =
             order.iter().map(|place| grid.place(cells[*place as usize])[0]).collect();
         assert!(columns.is_sorted(), "{columns:?}");
-        // Rows of a column as they were.
+        // The rows of a column keep their order.
         let pairs = order.windows(2).zip(columns.windows(2));
         for (places, columns) in pairs.filter(|(_, columns)| columns[0] == columns[1]) {
             assert!(places[0] < places[1], "column {}", columns[0]);

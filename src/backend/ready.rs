@@ -1,4 +1,4 @@
-//! A backend that is ready to run, whichever it is: from cells to their outcomes.
+//! A backend that is ready to run, of any kind: it makes outcomes of cells.
 
 use std::borrow::Cow;
 use std::time::{Duration, Instant};
@@ -21,31 +21,31 @@ use crate::stepping::reference::Settings;
 use crate::work::observer::Observer;
 use crate::work::threads::install;
 
-/// A backend ready to run.
+/// A backend that is ready to run.
 pub enum Backend {
     /// The shader on a device.
     #[cfg(feature = "gpu")]
     Gpu(Box<Gpu>),
-    /// The shader's twin on all cores.
+    /// The Rust twin of the shader, on all cores.
     Cpu,
     /// The reference on all cores.
     Reference,
 }
 
-/// Cells that have run, with what they took.
+/// The outcomes of cells that have run, and the time that they took.
 pub struct BackendOutcomes {
-    /// Their columns, in the order of the cells.
+    /// The columns of the outcomes, in the order of the cells.
     pub block: Block,
-    /// From the first cell prepared to the last outcome in memory.
+    /// The time from the preparation of the first cell to the last outcome in memory.
     pub elapsed: Duration,
-    /// Compilation of the shader.
+    /// The time to compile the shader.
     pub compile: Duration,
-    /// Time in the shader by the device's own clock, where it has one.
+    /// The time in the shader by the clock of the device, if it has one.
     pub device: Option<Duration>,
 }
 
 impl Backend {
-    /// The number type of the columns of a sweep: the reference computes in f64 whatever a sweep would.
+    /// The number type of the columns of a sweep: the reference always computes in f64.
     pub fn columns(&self, precision: Precision) -> Precision {
         match self {
             Backend::Reference => Precision::F64,
@@ -55,7 +55,7 @@ impl Backend {
         }
     }
 
-    /// Most cells of a batch.
+    /// The most cells of a batch.
     pub fn batch(&self) -> usize {
         match self {
             #[cfg(feature = "gpu")]
@@ -65,7 +65,8 @@ impl Backend {
         }
     }
 
-    /// True where the cells of a running batch are given as they are done, see [`Snapshots`]: a batch may take long.
+    /// True where the cells of a running batch are passed on as they are done, see [`Snapshots`]: a batch may take
+    /// long.
     pub fn gives_snapshots(&self) -> bool {
         matches!(self, Backend::Cpu)
     }
@@ -89,8 +90,8 @@ impl Backend {
         }
     }
 
-    /// Runs cells; `observer` hears of each as it is done, twice where it runs twice. A cell has the outcome that it has in a
-    /// run of the whole grid: on the CPU to the last bit.
+    /// Runs cells. `observer` is told of each cell that is done, twice where it runs twice. A cell has the same
+    /// outcome as in a run of the whole grid: on the CPU to the last bit.
     ///
     /// # Errors
     /// Any [`BackendError`] of a GPU; that it was cancelled.
@@ -132,15 +133,15 @@ impl Backend {
         Ok(BackendOutcomes { block, elapsed: began.elapsed() - compile, compile, device })
     }
 
-    /// Runs cells twice, the second time with steps half as long and, where the backend has it, in f64, and calls those
-    /// unresolved whose class the step or the rounding decides; the rest is of the second run.
+    /// Runs cells twice, the second time with half the step and, where the backend has it, in f64. A cell is
+    /// unresolved if its class depends on the step or on the rounding; the other values are those of the second run.
     fn run_twice(
         &self,
         run: &CellRun,
         observer: &dyn Observer,
     ) -> Result<BackendOutcomes, BackendError> {
         let cells = || Cow::from(&*run.cells);
-        // Nobody is to have outcomes of the first run.
+        // The outcomes of the first run are not passed on.
         let first = CellRun { cells: cells(), snapshots: None, ..*run };
         let coarse = self.run_once(&first, observer)?;
         let resolved = |mut block: Block| {
@@ -160,7 +161,7 @@ impl Backend {
         Ok(fine)
     }
 
-    /// f64 where the backend has it, else the number type given.
+    /// f64 where the backend has it, else the given number type.
     pub fn finest(
         &self,
         #[cfg_attr(not(feature = "gpu"), expect(unused_variables, reason = "of a GPU"))]
@@ -225,19 +226,19 @@ fn on_device(
     Ok(block)
 }
 
-/// What the parts of a sweep took of a GPU.
+/// The time that the parts of a sweep took of a GPU.
 #[derive(Default)]
 struct Times {
-    /// Compilation of shaders.
+    /// The time to compile shaders.
     compile: Duration,
-    /// Time in them by the device's clock, where it has one.
+    /// The time in shaders by the clock of the device, if it has one.
     device: Option<Duration>,
 }
 
-/// The cells of the parts that a list of a given number of cells was run in, in the list's order.
+/// The outcomes of the cells of all parts, in the order of the list of a given number of cells.
 fn in_order(count: usize, precision: Precision, parts: &[Part], mut ran: Vec<Block>) -> Block {
     if ran.len() == 1 {
-        // A part alone holds every cell, in order.
+        // A single part holds every cell, in order.
         return ran.remove(0);
     }
     let mut block = Block::pending(count, precision);
@@ -253,13 +254,13 @@ fn all_by_reference(run: &CellRun, observer: &dyn Observer) -> Vec<Outcome> {
     let cell = |&index: &usize| {
         let outcome = by_reference(run.plan, &run.grid.case(index), &settings, &go_on);
         observer.advance(1);
-        // That of a sweep which is cancelled is not used.
+        // The result of a sweep that was cancelled is not used.
         outcome.unwrap_or(Outcome::PENDING)
     };
     install(|| run.cells.par_iter().map(cell).collect())
 }
 
-/// Calls cells unresolved that another run classifies otherwise; those that have not run stay so.
+/// Marks cells as unresolved that another run classifies otherwise; cells that have not run stay pending.
 fn resolve(block: &mut Block, other: &Block) {
     block.recode(|cell, class, status| {
         if class == other.class(cell) || class == Class::Unresolved {

@@ -1,4 +1,4 @@
-//! How a sweep, or a part of one, was run.
+//! How a sweep, or a part of a sweep, was run.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,37 +10,37 @@ use crate::scene::record::Provenance;
 /// How a shard was run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Report {
-    /// The first of its cells.
+    /// The number of the first cell.
     pub first: usize,
-    /// How many they are.
+    /// The number of cells.
     pub cells: usize,
     /// gpu, cpu or reference.
     pub backend: String,
     /// The adapter, for a GPU.
     pub adapter: Option<AdapterDescription>,
-    /// GPUs, or one.
+    /// The number of GPUs; 1 for other backends.
     pub devices: usize,
-    /// Threads of the CPU.
+    /// The number of CPU threads.
     pub threads: usize,
-    /// Seconds to open the backend and compile the shader.
+    /// The time to open the backend and to compile the shader, s.
     pub start: f64,
-    /// Seconds of the sweep, of the cells that the last run of the shard had left.
+    /// The time of the sweep, s, for the cells that the last run of the shard had left.
     pub sweep: f64,
-    /// Cells that an earlier, interrupted run had done.
+    /// The number of cells that an earlier, interrupted run had done.
     pub resumed_cells: usize,
-    /// The files of the record that a shard read; those of a whole map are its scene's.
+    /// The files of the record that a shard read; for a whole map they are part of its scene.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub record: Option<Provenance>,
 }
 
-/// The number type of the columns of shards, each with what it stands by: f64 where the reference ran any of
-/// them.
+/// The number type of the columns of shards, each given with the data that belong to it: f64 where the reference ran
+/// any of the shards.
 pub fn columns<T>(shards: &[(T, Report)], precision: Precision) -> Precision {
     let by_reference = |(_, report): &(T, Report)| report.backend == Backend::Reference.name();
     if shards.iter().any(by_reference) { Precision::F64 } else { precision }
 }
 
-/// Threads that a sweep on the CPU takes.
+/// The number of threads of a sweep on the CPU.
 pub fn threads() -> usize {
     crate::work::threads::install(rayon::current_num_threads)
 }

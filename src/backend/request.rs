@@ -10,7 +10,7 @@ use crate::model::precision::Precision;
 use crate::written::written;
 
 written! {
-    /// The backend that a user asks for.
+    /// The backend that a user requests.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
     pub enum BackendRequest {
         /// A real GPU, else the CPU.
@@ -26,15 +26,16 @@ written! {
 
 /// The backends that a request opened.
 pub struct OpenBackends {
-    /// One backend, or several that are alike.
+    /// One backend, or several equal ones.
     pub backends: Vec<Backend>,
-    /// Why real GPUs that are listed are not among them: they gave no device, or failed its check.
+    /// The failures of real GPUs that are listed and not among the backends: they gave no device, or failed the
+    /// check.
     pub passed_over: Vec<BackendError>,
 }
 
 impl BackendRequest {
-    /// The backends for the request, all alike: as many as there are GPUs of the kind chosen, or as
-    /// `adapters` have numbers; one otherwise. Of a GPU, `auto` asks that it pass a small check.
+    /// The backends for a request, all equal: one for each GPU of the kind chosen, or for each number in `adapters`;
+    /// one otherwise. For `auto` a GPU must pass a small check.
     ///
     /// # Errors
     /// A [`BackendError`] where a GPU was requested and there is none, or not for this precision, or it

@@ -7,7 +7,7 @@ use crate::model::real::Real;
 use crate::scene::GRAVITY;
 use crate::stepping::state::{DIVERGED, State};
 
-/// The corner that a block of this tilt turns about.
+/// The corner about which a block of this tilt turns.
 #[inline(always)]
 fn mode_of<R: Real>(tilt: R) -> u32 {
     let zero = R::of(0.0);
@@ -20,7 +20,7 @@ fn mode_of<R: Real>(tilt: R) -> u32 {
     }
 }
 
-/// A state at rest, the base in static equilibrium.
+/// A state at rest, with the base in static equilibrium.
 #[inline(always)]
 pub(crate) fn at_rest<R: Real>(finite: bool, tilt: R) -> State<R> {
     let mut state = State::<R>::zeroed();

@@ -1,4 +1,4 @@
-//! A cell as its integration begins: its numbers and its first state. Twin of `shaders/begin.wgsl`.
+//! A cell at the start of its integration: its numbers and its first state. Twin of `shaders/begin.wgsl`.
 
 use super::at_rest::at_rest;
 use super::cell_tables::CellTables;
@@ -9,7 +9,7 @@ use crate::model::excitation::Cell;
 use crate::model::real::Real;
 use crate::stepping::state::{RUNNING, State};
 
-/// A cell of a list and its first state; `motions` are those that it shares, where it does.
+/// A cell of a list and its first state; `motions` are the motions that the cell shares with others, if it does.
 #[inline(always)]
 pub fn begin<R: Real>(
     tables: &CellTables<R>,

@@ -1,10 +1,10 @@
-//! A block on its base: what depends on the block, the masses and the restitution alone.
+//! A block on its base: the numbers that depend on the block, the masses and the restitution alone.
 
 use crate::scene::isolation::Stop;
 use crate::scene::parameters::Section;
 use crate::scene::{Block, Case, GRAVITY, Overturn, Parameter};
 
-/// What a body depends on: the numbers of a scene's block, and the restitution.
+/// The parameters that a body depends on: the numbers of the block of a scene, and the restitution.
 pub fn body_parameters() -> Vec<Parameter> {
     let impact = [Parameter::Restitution, Parameter::RestitutionFactor];
     Parameter::of_section(Section::Block).chain(impact).collect()
@@ -21,14 +21,14 @@ pub struct Body {
     pub mu_v: f64,
     /// eta_phi in place of the law of impact.
     pub restitution: Option<f64>,
-    /// r, times the eta_phi of the law.
+    /// r, the factor on the eta_phi of the law of impact.
     pub restitution_factor: f64,
     /// When the block counts as overturned.
     pub overturn: Overturn,
 }
 
 impl Body {
-    /// That of a cell.
+    /// The body of a cell.
     pub fn of(case: &Case) -> Body {
         let [mu_h, mu_v] = case.isolation.shares(&case.block);
         Body {
@@ -49,15 +49,15 @@ impl Body {
         rho2 + height2 * (1.0 - self.mu_h) + b * b * (1.0 - self.mu_v)
     }
 
-    /// Rate at which a block that stands on a corner falls back, rad/s^2. A flight at the speed w
-    /// lasts 2 w M D / (M g b): the corner with the shorter arm is the quicker to land.
+    /// Rate at which a block that stands on a corner falls back, rad/s^2. A flight of initial speed w lasts 2 w M
+    /// D/(M g b), so that the block lands sooner on the corner with the shorter arm.
     pub(crate) fn fall(&self) -> f64 {
         let b = self.block.arm(1.0).max(self.block.arm(-1.0));
         GRAVITY * b / self.impact_inertia(b)
     }
 
-    /// The square of the base's largest angular frequency `omega_h` with the block rocking on it about
-    /// the left and the right corner, over omega_h^2: it is larger than the base's own.
+    /// The square of the largest angular frequency of the base while the block rocks on it about the left and about
+    /// the right corner, over omega_h^2: it is larger than 1.
     pub(crate) fn stiffening_h(&self) -> [f64; 2] {
         self.arms().map(|b| {
             let (h2, b2) = (self.block.height * self.block.height, b * b);
@@ -65,15 +65,15 @@ impl Body {
         })
     }
 
-    /// The most rate of a motion against an end stop, 1/s: that of its spring under the block that rocks, and that of its
-    /// damper.
+    /// An upper bound on the rate of a motion against an end stop, 1/s: that of its spring under the block that
+    /// rocks, and that of its damper.
     pub(crate) fn stop_rate(&self, stop: &Stop) -> f64 {
         let [left, right] = self.stiffening_h();
         let stiffening = left.max(right);
         (stop.stiffness * stiffening).sqrt().max(stop.damping * stiffening)
     }
 
-    /// The same of omega_v.
+    /// The same for omega_v.
     pub(crate) fn stiffening_v(&self) -> [f64; 2] {
         self.arms().map(|b| {
             let (h2, b2) = (self.block.height * self.block.height, b * b);
@@ -85,8 +85,8 @@ impl Body {
         })
     }
 
-    /// p^2 = g R/(I/M) about the left and the right corner, or what a light base makes of it at most,
-    /// 1/s^2.
+    /// p^2 = g R/(I/M) about the left and about the right corner, or the largest value that a light base can make of
+    /// it, 1/s^2.
     pub(crate) fn most_p2(&self) -> [f64; 2] {
         self.arms().map(|b| GRAVITY * b.hypot(self.block.height) / self.swing_inertia(b))
     }
@@ -96,8 +96,8 @@ impl Body {
         [1.0, -1.0].map(|side| self.block.arm(side))
     }
 
-    /// No larger than I/M - mu_h P^2 - mu_v Q^2 about a corner in any position: P^2 and Q^2 at their
-    /// largest, their sum fixed.
+    /// A lower bound of I/M - mu_h P^2 - mu_v Q^2 about a corner in any position: P^2 and Q^2 have a fixed sum, and
+    /// each has its largest value here.
     fn swing_inertia(&self, b: f64) -> f64 {
         let block = &self.block;
         let radius2 = block.height * block.height + b * b;

@@ -1,6 +1,5 @@
-//! The numbers of a list's cells in tables: each table has one entry for each combination of the
-//! parameters that it depends on. A clock that depends on all axes is computed for each cell from its
-//! parts.
+//! The numbers of the cells of a list in tables: each table has one entry for each combination of the parameters that
+//! it depends on. A clock that depends on all axes is computed for each cell from its parts.
 
 use super::body::{Body, body_parameters};
 use super::clock::Clock;
@@ -20,9 +19,9 @@ use crate::scene::{Case, Grid, Parameter};
 /// The clocks of a grid.
 #[derive(Debug)]
 pub enum Clocks<R> {
-    /// They do not depend on every axis.
+    /// The clocks do not depend on every axis.
     Shared(Table<(Clock, Steps<R>)>),
-    /// They do, and are computed for each cell from its parts.
+    /// The clocks depend on every axis, and each is computed for its cell from its parts.
     Own(Box<ClockParts>),
 }
 
@@ -42,21 +41,21 @@ pub struct CellTables<'a, R> {
     rule: ClockRule<'a>,
     grid: &'a Grid,
     cells: &'a [usize],
-    /// Of the bodies: the block on its base.
+    /// Numbers of the bodies: the block on its base.
     pub bodies: Table<Model<R>>,
-    /// Of the horizontal isolation.
+    /// Numbers of the horizontal isolation.
     pub horizontal: Table<Horizontal<R>>,
-    /// Of the vertical isolation.
+    /// Numbers of the vertical isolation.
     pub vertical: Table<Vertical<R>>,
-    /// Of the excitation and the start.
+    /// Numbers of the excitation and of the start.
     pub drive: Table<Drive<R>>,
-    /// Of the clock.
+    /// The clocks.
     pub clocks: Clocks<R>,
-    /// Of the numbers that turn a last state into an outcome.
+    /// The numbers that turn a last state into an outcome.
     pub readers: Table<Reader>,
 }
 
-/// A table of numbers that depend on the body and a law; the directions that the plan locks are locked.
+/// A table of numbers that depend on the body and on a law. The directions that the plan locks are locked here, too.
 fn by_body<T: Send>(
     (plan, list): (&Plan, &Listing),
     law: &[Parameter],
@@ -108,7 +107,7 @@ impl<'a, R: Real> CellTables<'a, R> {
         self.grid
     }
 
-    /// The cells' numbers in it, one a cell of the list.
+    /// The numbers of the cells in the grid, one for each cell of the list.
     pub fn cells(&self) -> &'a [usize] {
         self.cells
     }
@@ -155,7 +154,7 @@ impl<'a, R: Real> CellTables<'a, R> {
         }
     }
 
-    /// All groups of a cell.
+    /// All groups of numbers of a cell.
     #[inline(always)]
     pub fn groups(&self, cell: &CellAt) -> Groups<R> {
         Groups {
@@ -192,7 +191,7 @@ mod tests {
     use crate::model::pulse::Shape;
     use crate::scene::{Directions, Range, SceneBuilder};
 
-    /// Entries of all tables of a list.
+    /// The number of entries of each table of a list.
     fn entries(scene: &SceneBuilder, list: impl Fn(&Grid) -> Vec<usize>) -> Vec<usize> {
         let scene = scene.clone().check().unwrap();
         let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
@@ -215,7 +214,7 @@ mod tests {
         [&clocks[..], &others].concat()
     }
 
-    /// Pairs of axes that one table depends on, each of a million values: no machine holds all pairs of these.
+    /// Two axes of a million values each, on both of which one table depends: no machine can hold all pairs.
     fn coupled() -> Vec<SceneBuilder> {
         let many = |start, stop| Range::even(start, stop, 1 << 20);
         let free = || {
@@ -242,7 +241,7 @@ mod tests {
     #[test]
     fn tables_of_a_list_have_no_more_entries_than_it_has_cells() {
         for scene in coupled() {
-            // All over the grid, and some cells that differ along one axis alone.
+            // Cells from all parts of the grid, and some cells that differ along one axis alone.
             let list = |grid: &Grid| {
                 let all_over = (0..500).map(|k| k * (grid.len() / 500 + 1));
                 all_over.chain((0..100).map(|row| row * (1 << 20))).collect()

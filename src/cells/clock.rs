@@ -6,23 +6,24 @@ use crate::stepping::span::STIFF_LIMIT;
 
 /// Largest step by default, s: the chart's choice (docs/chart.md).
 pub const DEFAULT_STEP: f64 = 1.0 / 128.0;
-/// Steps that the fastest period of a cell holds at least. RK4's limit of stability is 2.2 steps
-/// (omega h = 2.83); the rest is for accuracy, which a stiff vertical isolation needs most: a
-/// block on it rocks chaotically, and what a step errs by grows from impact to impact.
+/// The fewest steps in the fastest period of a cell. The limit of stability of RK4 is 2.2 steps (omega h = 2.83).
+/// More steps are needed for accuracy, most of all on a stiff vertical isolation: a block on it rocks chaotically,
+/// and the error of a step grows from impact to impact.
 pub const STEPS_A_PERIOD: f64 = 80.0;
-/// The same for periods around [`SHORT_PERIOD`], in f32 and in f64: in f32 rounding errs by more.
+/// The same for periods around [`SHORT_PERIOD`], in f32 and in f64: f32 has fewer, because its rounding errors are
+/// larger.
 pub const FINEST_STEPS_A_PERIOD: [f64; 2] = [160.0, 640.0];
-/// See [`FINEST_STEPS_A_PERIOD`], s; beyond, steps a period fall as it grows.
+/// See [`FINEST_STEPS_A_PERIOD`], s; for longer periods the number of steps in a period falls as the period grows.
 pub const SHORT_PERIOD: f64 = 1.0 / 16.0;
-/// Below this period, s, the vertical isolation acts as if it were rigid, nothing is chaotic, and
-/// steps a period fall again.
+/// Below this period, s, the vertical isolation acts as if it were rigid and the motion is not chaotic: the number of
+/// steps in a period falls again.
 pub const STIFF_PERIOD: f64 = 1.0 / 64.0;
-/// Steps that a period of a pulse holds at least: so many that the contact forces between its steps, which come from
-/// the stages of RK4 and err by the step's cube, are right to a thousandth of the weight.
+/// The fewest steps in a period of a pulse: with so many, the contact forces between the steps, which come from the
+/// stages of RK4 and have errors of third order in the step, are right to a thousandth of the weight.
 pub const STEPS_A_PULSE: f64 = 64.0;
 
-/// The longest step times the rate of the fastest motion against an end stop: the spans there are half of the switches
-/// that a step may hold.
+/// The longest step times the rate of the fastest motion against an end stop: the spans there are then half of the
+/// switches that a step may hold.
 pub const STEP_AT_STOP: f64 = 0.5 * EVENT_BOUND as f64 * STIFF_LIMIT;
 
 /// How finely a motion is stepped.
@@ -30,23 +31,23 @@ pub const STEP_AT_STOP: f64 = 0.5 * EVENT_BOUND as f64 * STIFF_LIMIT;
 pub struct Resolution {
     /// Largest step, s.
     pub largest_step: f64,
-    /// Steps that the fastest period of a cell holds at least.
+    /// The fewest steps in the fastest period of a cell.
     steps_a_period: f64,
     /// The same for periods around [`SHORT_PERIOD`].
     finest_steps_a_period: f64,
-    /// Steps that a period of a pulse holds at least.
+    /// The fewest steps in a period of a pulse.
     steps_a_pulse: f64,
-    /// Steps that the yield time alpha_y/(n omega_h) of a Bouc-Wen base holds at least.
+    /// The fewest steps in the yield time alpha_y/(n omega_h) of a Bouc-Wen base.
     steps_a_yield: f64,
-    /// All steps that follow from these are divided by it.
+    /// All steps that follow from these numbers are divided by this one.
     divide: f64,
     /// Steps are cut at the kinks of the Bouc-Wen law.
     pub kinks: bool,
 }
 
 impl Resolution {
-    /// Steps of at most `largest_step` seconds, and shorter ones where a cell's fastest period or
-    /// its pulse asks for them.
+    /// Steps of at most `largest_step` seconds, and shorter ones where the fastest period of a cell or its pulse
+    /// requires them.
     pub fn bounded(largest_step: f64) -> Resolution {
         Resolution {
             largest_step,
@@ -59,8 +60,8 @@ impl Resolution {
         }
     }
 
-    /// Steps of `step` seconds, but for what makes the excitation's ends and samples fall on
-    /// steps, however badly they resolve the motion: for charts and tests of what breaks.
+    /// Steps of `step` seconds, adjusted so that the end and the samples of the excitation fall on steps, even if
+    /// they do not resolve the motion: for charts and for tests of coarse steps.
     pub fn exactly(step: f64) -> Resolution {
         Resolution {
             steps_a_period: 0.0,
@@ -97,9 +98,9 @@ impl Resolution {
         self.largest_step.min(period / steps.max(self.steps_a_period)) / self.divide
     }
 
-    /// Longest step of a base that yields, s. z of (11) settles at the rate n |u'|/u_y, which is
-    /// n omega_h/alpha_y for the velocity PGA_h/omega_h: one step a yield time leaves RK4, stable up
-    /// to a rate of 2.79 steps, room for nearly three times that velocity.
+    /// Longest step of a base that yields, s. z of (11) settles at the rate n |u'|/u_y, which is n omega_h/alpha_y at
+    /// the velocity PGA_h/omega_h. RK4 is stable up to a rate of 2.79 steps: with one step per yield time nearly
+    /// three times that velocity is possible.
     pub fn longest_in_yield(&self, yield_time: f64) -> f64 {
         yield_time / self.steps_a_yield / self.divide
     }
@@ -126,7 +127,7 @@ pub struct Clock {
 }
 
 impl Clock {
-    /// Steps taken until a time of the run, s.
+    /// The number of steps until a time of the run, s.
     pub fn steps_until(&self, t: f64) -> u64 {
         let forced = f64::from(self.steps_forced) * self.step_forced;
         let steps = if t < forced || self.step_free <= 0.0 {
@@ -134,7 +135,7 @@ impl Clock {
         } else {
             f64::from(self.steps_forced) + (t - forced) / self.step_free
         };
-        // Times are no negative numbers.
+        // Times are not negative.
         steps.round() as u64
     }
 

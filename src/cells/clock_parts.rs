@@ -1,5 +1,5 @@
-//! The parts of a cell's clock, each by the parameters that it depends on: what swings in each direction,
-//! and how long the excitation and the run take.
+//! The parts of the clock of a cell, each by the parameters that it depends on: the frequencies of each direction,
+//! and the lengths of the excitation and of the run.
 
 use std::f64::consts::TAU;
 
@@ -9,24 +9,24 @@ use super::shortcuts::Shortcuts;
 use crate::scene::case::PEAK;
 use crate::scene::{Case, Directions, Excitation, Grid, Parameter, Shaking};
 
-/// The horizontal isolation's part.
+/// The part of the horizontal isolation.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SwingH {
-    /// The squares of the largest angular frequency about the left and the right corner, 1/s^2. That of a
-    /// stiff or locked base is no less than the block's own p^2.
+    /// The squares of the largest angular frequency about the left and about the right corner, 1/s^2. For a stiff or
+    /// locked base they are not less than p^2 of the block.
     squares: [f64; 2],
     /// The longest step of a base that yields, s; infinite for one that does not.
     longest: f64,
 }
 
-/// The vertical isolation's part: the sum of both is the square about a corner.
+/// The part of the vertical isolation. The sum of both parts is the square of the frequency about a corner.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SwingV {
-    /// About the left and the right corner, 1/s^2.
+    /// The squares about the left and about the right corner, 1/s^2.
     squares: [f64; 2],
 }
 
-/// The part of the excitation and the run.
+/// The part of the excitation and of the run.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Span {
     /// Omega, rad/s; none for a record.
@@ -39,8 +39,8 @@ pub(crate) struct Span {
     longest: f64,
 }
 
-/// What [`SwingH`] depends on, with the [body](body_parameters); where u_y is given, its yield time follows from the
-/// ground's peak.
+/// The parameters of [`SwingH`], beside those of the [body](body_parameters). Where u_y is given, the yield time
+/// follows from the peak acceleration of the ground.
 pub(crate) fn swing_parameters(grid: &Grid) -> Vec<Parameter> {
     let mut swing: Vec<Parameter> = Parameter::of_direction(Directions::Horizontal)
         .filter(|own| ![Parameter::XiH, Parameter::StopGap].contains(own))
@@ -51,18 +51,18 @@ pub(crate) fn swing_parameters(grid: &Grid) -> Vec<Parameter> {
     swing
 }
 
-/// What a clock depends on.
+/// The parameters of a clock.
 pub(crate) fn clock_parameters(grid: &Grid) -> Vec<Parameter> {
     [&body_parameters()[..], &swing_parameters(grid), &SWING_V, &SPAN].concat()
 }
 
-/// What [`SwingV`] depends on, with the body.
+/// The parameters of [`SwingV`], beside those of the body.
 pub(crate) const SWING_V: [Parameter; 1] = [Parameter::TV];
-/// What [`Span`] depends on.
+/// The parameters of [`Span`].
 pub(crate) const SPAN: [Parameter; 4] =
     [Parameter::Omega, Parameter::Cycles, Parameter::Gamma, Parameter::TMax];
 
-/// What the clocks of a plan's cells follow from, beside the cells' numbers.
+/// The data from which the clocks of the cells of a plan follow, beside the numbers of the cells.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ClockRule<'a> {
     pub(crate) resolution: Resolution,
@@ -71,7 +71,7 @@ pub(crate) struct ClockRule<'a> {
 }
 
 impl ClockRule<'_> {
-    /// The horizontal part of a cell's clock.
+    /// The horizontal part of the clock of a cell.
     pub(crate) fn swing_h(&self, case: &Case, body: &Body) -> SwingH {
         let p2 = body.most_p2();
         let Some(law) = &case.isolation.horizontal else {
@@ -98,7 +98,7 @@ impl ClockRule<'_> {
         SwingV { squares: body.stiffening_v().map(|stiffening| square * stiffening) }
     }
 
-    /// The part of the excitation and the run.
+    /// The part of the excitation and of the run.
     pub(crate) fn span(&self, case: &Case) -> Span {
         let t_max = case.t_max;
         match (self.excitation, case.shaking) {
@@ -117,13 +117,12 @@ impl ClockRule<'_> {
         }
     }
 
-    /// The clock of its parts.
+    /// The clock that these parts make.
     #[inline]
     pub(crate) fn clock_of(&self, h: &SwingH, v: &SwingV, span: &Span) -> Clock {
         let square = |corner: usize| h.squares[corner] + v.squares[corner];
         let square = square(0).max(square(1));
-        // The longest step is bounded by the cell's fastest period, infinite where nothing
-        // oscillates.
+        // The fastest period of the cell limits the longest step; it is infinite where nothing oscillates.
         let longest = self.resolution.longest_step(TAU / square.sqrt()).min(h.longest);
         let (steps_forced, substeps) = match self.excitation {
             Excitation::Pulse(_) => {
@@ -135,12 +134,12 @@ impl ClockRule<'_> {
             }
         };
         let free = span.t_max - span.forced;
-        // What rounding leaves of a duration is no step.
+        // A remainder of a duration that is due to rounding is not a step.
         let steps_free = (free / longest - 1.0e-9).ceil().max(0.0);
         Clock {
             step_forced: span.forced / steps_forced,
             step_free: if steps_free > 0.0 { free / steps_free } else { 0.0 },
-            // `as` saturates; `Plan::new` refuses a scene that comes near.
+            // `as` saturates; `Plan::new` refuses a scene with so many steps.
             steps_forced: steps_forced as u32,
             substeps: substeps as u32,
             steps: (steps_forced + steps_free) as u32,

@@ -1,4 +1,4 @@
-//! The numbers of the equations of motion that a body has.
+//! The coefficients of the equations of motion of a body.
 
 use super::body::Body;
 use super::bounds::Lever;
@@ -16,7 +16,7 @@ impl Body {
         let (kappa_h, kappa_v) = (1.0 - self.mu_h, 1.0 - self.mu_v);
         let d = self.impact_inertia(b);
         let by_law = (rho2 + h * h * kappa_h - b * c * kappa_v) / d;
-        // The factor's share of the rotation that goes on; of the law itself nothing.
+        // The share of the rotation that the factor adds to that of the law of impact; zero for the law itself.
         let (factor, less) = (self.restitution_factor, (1.0 - self.restitution_factor) * by_law);
         Corner {
             side: R::of(side),
@@ -30,7 +30,7 @@ impl Body {
         }
     }
 
-    /// The numbers of its equations.
+    /// The coefficients of the equations of this body.
     pub fn model<R: Real>(&self) -> Model<R> {
         let block = &self.block;
         let radius = |side: f64| f64::hypot(block.arm(side), block.height);

@@ -129,7 +129,7 @@ impl<R: Real> Horizontal<R> {
         let mut group = Horizontal::<R>::zeroed();
         if let Some(base) = &case.isolation.horizontal {
             let omega_h = TAU / base.t_h;
-            // The largest force that z carries, over M_t and (1 - psi).
+            // The largest force that z transmits, over M_t and (1 - psi).
             let yield_force = base.u_y * omega_h * omega_h;
             group.post_yield = R::of(base.psi * omega_h * omega_h);
             group.hysteretic = R::of((1.0 - base.psi) * yield_force);
@@ -137,8 +137,8 @@ impl<R: Real> Horizontal<R> {
             group.reach_h =
                 R::of(omega_h * (1.0 + 4.0 * base.xi_h * base.xi_h / body.free_share_h()).sqrt());
             group.yield_energy = R::of((1.0 - base.psi) * yield_force * base.u_y);
-            // Without horizontal excitation u_y of (21) is zero, and so is the force that z carries.
-            // Where the number type does not hold 1/u_y both are taken as zero.
+            // Without a horizontal excitation u_y of (21) is zero, and so is the force that z transmits. Where the
+            // number type cannot hold 1/u_y, both are taken as zero.
             let inverse = R::of(1.0 / base.u_y);
             group.inverse_yield = if inverse.to_f64().is_finite() { inverse } else { R::of(0.0) };
         }
@@ -216,8 +216,8 @@ impl<R: Real> Drive<R> {
 }
 
 impl<R: Real> Steps<R> {
-    /// The numbers of a clock's steps under a pulse of this Omega, or under a record; the block falls
-    /// back at the rate `fall`.
+    /// The lengths and numbers of the steps of a clock under a pulse of this Omega, or under a record; the block
+    /// falls back at the rate `fall`.
     #[inline]
     pub fn of(omega: Option<f64>, clock: &Clock, fall: f64) -> Steps<R> {
         let phase_step = match omega {
@@ -241,23 +241,23 @@ impl<R: Real> Steps<R> {
     }
 }
 
-/// The groups of one cell.
+/// The groups of numbers of one cell.
 #[derive(Debug, Clone, Copy)]
 pub struct Groups<R> {
-    /// Of the horizontal isolation.
+    /// The group of the horizontal isolation.
     pub horizontal: Horizontal<R>,
-    /// Of the vertical isolation.
+    /// The group of the vertical isolation.
     pub vertical: Vertical<R>,
-    /// Of the excitation.
+    /// The group of the excitation.
     pub drive: Drive<R>,
-    /// Of the clock.
+    /// The group of the clock.
     pub steps: Steps<R>,
     /// Number of the body.
     pub body: u32,
 }
 
 impl<R: Real> Groups<R> {
-    /// The cell of these numbers.
+    /// The cell that has these numbers.
     #[inline(always)]
     pub fn cell(&self) -> Cell<R> {
         let Groups { horizontal, vertical, drive, steps, body } = self;
@@ -292,7 +292,7 @@ impl<R: Real> Groups<R> {
         }
     }
 
-    /// False where the number type does not hold one of the cell's numbers.
+    /// False where the number type cannot hold one of the numbers of the cell.
     #[inline(always)]
     pub fn finite(&self) -> bool {
         let Groups { horizontal, vertical, drive, steps, .. } = self;

@@ -7,7 +7,7 @@ use crate::scene::isolation::Isolation;
 /// The laws that decide which model a cell runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Laws {
-    /// The base moves in each direction.
+    /// Whether the base moves in each direction.
     pub(crate) moves: [bool; 2],
     /// The base yields.
     pub(crate) yields: bool,
@@ -22,7 +22,7 @@ pub(crate) struct Laws {
 }
 
 impl Laws {
-    /// Those of a base.
+    /// The laws of a base.
     pub(crate) fn of(base: &Isolation, shortcuts: Shortcuts) -> Laws {
         let law = base.horizontal;
         Laws {
@@ -35,7 +35,7 @@ impl Laws {
         }
     }
 
-    /// Those of a block on the ground.
+    /// The laws of a block on the ground.
     pub(crate) const GROUND: Laws = Laws {
         moves: [false; 2],
         yields: false,
@@ -56,7 +56,7 @@ impl Laws {
         Laws { moves: [self.moves[0], false], hardens: false, ..self }
     }
 
-    /// True where the motions in full contact may be shared, and bounded as those of the paper's base.
+    /// True where the motions in full contact may be shared, with the bounds of the base of the paper.
     pub(crate) fn shares_contact(self) -> bool {
         !(self.follows || self.stops || self.hardens)
     }

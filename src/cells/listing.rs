@@ -1,8 +1,8 @@
 //! The cells of a list, and which combinations of values they have.
 //!
 //! The cells of a sweep have nearly all combinations of the values in a window, and find their entry of a table by
-//! their place. Those of a refined map have few of them: a table for them holds each combination that occurs, once,
-//! and a cell finds it by its number in the list.
+//! their place. The cells of a refined map have few of them: a table for these cells holds each combination that
+//! occurs once, and a cell finds its entry by its number in the list.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -15,9 +15,10 @@ use crate::scene::grid::Place;
 use crate::scene::{Grid, Parameter};
 use crate::work::threads::install;
 
-/// Combinations for each cell of a list up to which a table holds all of a window: a batch of a sweep has no more.
+/// The most combinations per cell of a list for which a table holds all combinations of a window: a batch of a sweep
+/// has no more.
 const ALL: usize = 2;
-/// Cells that a thread takes at once at least.
+/// The fewest cells that a thread takes at once.
 const SOME: usize = 1 << 12;
 
 /// A cell of a list.
@@ -32,7 +33,7 @@ pub struct CellAt {
 /// Where the cells of a list find their entries.
 #[derive(Debug, Clone)]
 pub enum Index {
-    /// By their places, so many entries from a value of each axis to the next, and before the first entry.
+    /// By their places: the entries between two values of each axis, and the entries before the first.
     ByPlace(Strides, usize),
     /// By their numbers in the list.
     ByNumber(Arc<[u32]>),
@@ -49,26 +50,26 @@ impl Index {
     }
 }
 
-/// Which combinations of values have an entry.
+/// The combinations of values that have an entry.
 #[derive(Debug, Clone)]
 pub struct Entries {
     combinations: Combinations,
-    /// Those that have, in order; none where all do.
+    /// The combinations that have an entry, in order; none where all have one.
     occurring: Option<Vec<usize>>,
 }
 
 impl Entries {
-    /// One for each of all combinations.
+    /// One entry for each combination.
     pub fn all(combinations: Combinations) -> Entries {
         Entries { combinations, occurring: None }
     }
 
-    /// One for each that occurs, given in order; `combinations` are those of the whole grid.
+    /// One entry for each combination that occurs, given in order; `combinations` are those of the whole grid.
     pub fn some(combinations: Combinations, occurring: Vec<usize>) -> Entries {
         Entries { combinations, occurring: Some(occurring) }
     }
 
-    /// How many they are.
+    /// The number of entries.
     pub fn count(&self) -> usize {
         self.occurring.as_ref().map_or_else(|| self.combinations.count(), Vec::len)
     }
@@ -78,7 +79,7 @@ impl Entries {
         self.occurring.as_ref().map_or(entry, |occurring| occurring[entry])
     }
 
-    /// The entry of a combination, where it has one.
+    /// The entry of a combination, if it has one.
     pub fn entry(&self, combination: usize) -> Option<usize> {
         match &self.occurring {
             Some(occurring) => occurring.binary_search(&combination).ok(),
@@ -86,24 +87,24 @@ impl Entries {
         }
     }
 
-    /// The place of a cell that has one.
+    /// The place of a cell that has this entry.
     pub fn place(&self, entry: usize) -> Place {
         self.combinations.place(self.combination(entry))
     }
 
-    /// True where the cells of a list have theirs.
+    /// True where each cell of a list has an entry.
     pub fn hold(&self, grid: &Grid, cells: &[usize]) -> bool {
         let has = |key: &usize| self.entry(*key).is_some();
         self.occurring.is_none() || keys(grid, &self.combinations.strides(), cells).iter().all(has)
     }
 
-    /// Where the cells of a list find theirs, which they have.
+    /// Where the cells of a list find their entries, which all of them have.
     pub fn index(&self, grid: &Grid, cells: &[usize]) -> Index {
         let strides = self.combinations.strides();
         if self.occurring.is_none() {
             return Index::ByPlace(strides, self.combinations.before());
         }
-        // A list has fewer than 2^32 cells: memory would not hold their numbers.
+        // A list has fewer than 2^32 cells, because memory cannot hold more numbers.
         let number = |&key: &usize| self.entry(key).unwrap_or(0) as u32;
         let numbers: Vec<u32> =
             install(|| keys(grid, &strides, cells).par_iter().map(number).collect());
@@ -113,12 +114,12 @@ impl Entries {
 
 /// The combination of each cell, by these strides of a whole grid.
 fn keys(grid: &Grid, strides: &Strides, cells: &[usize]) -> Vec<usize> {
-    // No larger than the cell's own number.
+    // The key is not larger than the number of the cell.
     let key = |&cell: &usize| offset(strides, &grid.place(cell));
     install(|| cells.par_iter().with_min_len(SOME).map(key).collect())
 }
 
-/// The combinations that cells of a grid have of all that there are, each once and in order.
+/// The combinations that some cells of a grid have, each once and in order.
 pub fn occurring(grid: &Grid, combinations: &Combinations, cells: &[usize]) -> Vec<usize> {
     let mut keys = keys(grid, &combinations.strides(), cells);
     install(|| keys.par_sort_unstable());
@@ -132,12 +133,12 @@ pub struct Listing<'a> {
     grid: &'a Grid,
     cells: &'a [usize],
     window: Window,
-    /// The entries of tables so far, and where cells find them: those of the same axes are the same.
+    /// The entries of the tables so far, and where cells find them: tables of the same axes share them.
     known: RefCell<Vec<Rc<(Entries, Index)>>>,
 }
 
 impl<'a> Listing<'a> {
-    /// Those of these numbers in a grid.
+    /// The list of these cells of a grid.
     pub fn of(grid: &'a Grid, cells: &'a [usize]) -> Listing<'a> {
         let window = Window::around(grid, cells);
         Listing { grid, cells, window, known: RefCell::default() }
@@ -153,12 +154,12 @@ impl<'a> Listing<'a> {
         self.window.combinations(self.grid, parameters).count() < self.window.cells()
     }
 
-    /// The entries of a table of these parameters, and where the cells find theirs.
+    /// The entries of a table of these parameters, and where the cells find their entries.
     pub fn entries(&self, parameters: &[Parameter]) -> Rc<(Entries, Index)> {
         let (grid, cells) = (self.grid, self.cells);
         let in_window = self.window.combinations(grid, parameters);
         let all = in_window.count() <= ALL * cells.len().max(1);
-        // What tells combinations apart is their number in the whole grid.
+        // Combinations are distinguished by their number in the whole grid.
         let whole = Window::whole(grid).combinations(grid, parameters);
         let combinations = if all { in_window } else { whole };
         let mut known = self.known.borrow_mut();

@@ -1,4 +1,4 @@
-//! The cells of a list in parts that each run one model.
+//! The cells of a list, divided into parts whose cells run one model each.
 
 use super::body::body_parameters;
 use super::plan::Plan;
@@ -6,7 +6,7 @@ use crate::results::block::Block;
 use crate::scene::{Grid, Parameter};
 use crate::stepping::outcome::Status;
 
-/// Cells that run one model.
+/// Cells that run the same model.
 #[derive(Debug, Clone)]
 pub struct Part {
     /// The plan of these cells.
@@ -15,20 +15,20 @@ pub struct Part {
     pub cells: Vec<usize>,
     /// Their places in the list that was divided into parts.
     pub places: Vec<usize>,
-    /// Their vertical isolation is rigid for the record, and is locked.
+    /// The vertical isolation of these cells is rigid for the record, and is locked.
     pub vertical_locked: bool,
 }
 
 impl Part {
-    /// Some cells of a plan's grid in parts that each run one model: cells whose base yields and
-    /// those whose base does not, those of one exponent n, and those whose vertical isolation is rigid for
-    /// the record, with that direction locked. The cells may be in any order.
+    /// Some cells of the grid of a plan in parts whose cells run one model each: cells whose base yields and cells
+    /// whose base does not, cells of equal exponent n, and cells whose vertical isolation is rigid for the record,
+    /// with that direction locked. The cells may be in any order.
     pub fn of(plan: &Plan, grid: &Grid, cells: &[usize]) -> Vec<Part> {
         let stiffness = [Parameter::TH, Parameter::K1, Parameter::UY, Parameter::YieldForce];
         let mut deciding = vec![Parameter::Psi, Parameter::BoucWenN, Parameter::TV];
         deciding.extend([Parameter::K2, Parameter::Mu]);
         if plan.scene.numbers.has(Parameter::K2) {
-            // psi is a quotient.
+            // psi is the quotient of two stiffnesses, and the parameters of both decide it.
             deciding.extend(stiffness);
             deciding.extend(body_parameters());
         }
@@ -63,7 +63,7 @@ impl Part {
         parts
     }
 
-    /// Its cells as they are told: one whose vertical direction is locked says so.
+    /// The outcomes of its cells, marked where the vertical direction is locked.
     pub(crate) fn mark_locked(&self, mut block: Block) -> Block {
         if self.vertical_locked {
             block.recode(|_, class, status| match status {
@@ -74,10 +74,10 @@ impl Part {
         block
     }
 
-    /// Its cells among those of a list of so many, of which the others have not run.
+    /// The outcomes of its cells among those of a list of so many cells, of which the others have not run.
     pub(crate) fn scatter_into(&self, count: usize, block: Block) -> Block {
         if block.len() == count {
-            // A part alone holds every cell, in order.
+            // A single part holds every cell, in order.
             return block;
         }
         let mut all = Block::pending(count, block.precision());

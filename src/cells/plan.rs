@@ -1,5 +1,5 @@
-//! A scene made ready to run: its step lengths, its shortcuts, and what each cell begins with. A scene whose cells take too
-//! many steps is refused.
+//! A scene that is ready to run: its step lengths, its shortcuts, and the data with which each cell begins. A scene
+//! whose cells take too many steps is refused.
 
 use std::sync::Arc;
 
@@ -25,14 +25,14 @@ use crate::scene::{Case, Excitation, Grid, Parameter, Scene, SceneError, positiv
 use crate::stepping::outcome::Outcome;
 use crate::stepping::state::State;
 
-/// Most steps that a cell may take: some minutes of one core.
+/// Most steps that a cell may take: they take some minutes on one core.
 pub const MOST_STEPS: f64 = 1.0e9;
 
-/// A vertical isolation whose period is below this share of a record's time step is rigid for that
-/// record, which holds nothing faster than two steps.
+/// A vertical isolation whose period is below this share of the time step of a record is rigid for that record, which
+/// contains no period below two steps.
 pub const RIGID_SHARE: f64 = 0.2;
 
-/// A scene made ready for its cells.
+/// A scene that is ready for its cells.
 #[derive(Debug, Clone)]
 pub struct Plan {
     /// The scene; of a part, the scene with the directions locked that the part locks.
@@ -41,13 +41,13 @@ pub struct Plan {
     pub resolution: Resolution,
     /// Shortcuts that cannot change the result.
     pub shortcuts: Shortcuts,
-    /// The largest and least values that are requested: others are not looked for, and not a number in the outcomes.
+    /// The largest and least values that are requested: others are not searched for, and are NaN in the outcomes.
     pub asked: Asked,
     /// The laws that all its cells have.
     pub(crate) laws: Laws,
-    /// Its cells differ in their body.
+    /// The cells differ in their body.
     bodies: bool,
-    /// A pulse of some cell has more than one cycle.
+    /// The pulse of some cell has more than one cycle.
     cycles: bool,
     /// The cache of full-contact motions, shared by all batches.
     pub(crate) motion_cache: Arc<MotionCache>,
@@ -126,7 +126,7 @@ impl Plan {
         }
     }
 
-    /// True for a cell whose vertical isolation is rigid for the record, and is locked.
+    /// True for a cell whose vertical isolation is rigid for the record, and is therefore locked.
     pub fn locks_vertical(&self, case: &Case) -> bool {
         let t_v = case.isolation.vertical.map(|law| law.t_v);
         t_v.is_some_and(|t_v| self.rigid_period().is_some_and(|rigid| t_v < rigid))
@@ -145,7 +145,7 @@ impl Plan {
         case
     }
 
-    /// A cell as it runs: one that is as stiff as that runs without the vertical direction.
+    /// A cell as it is run: where its vertical isolation is that stiff, without the vertical direction.
     pub(crate) fn as_run(&self, case: &Case) -> Case {
         let mut case = self.locked(case);
         if self.locks_vertical(&case) {
@@ -175,7 +175,7 @@ impl Plan {
         plan
     }
 
-    /// The samples of the record, and two zeros where there is none.
+    /// The samples of the record, or two zeros where there is none.
     pub fn record<R: Real>(&self) -> Vec<Ground<R>> {
         match &self.scene.excitation {
             Excitation::Record(pair) => pair
@@ -209,7 +209,7 @@ impl Plan {
             isolated_v,
             kinks: self.resolution.kinks && (yields || stops),
             yields,
-            // Nothing is proved of a base that is not passive.
+            // The energy proves nothing for a base that is not passive.
             certificate: self.shortcuts.certificate && !follows,
             asked: Asked { stops: self.asked.stops && stops, ..self.asked },
             bodies: self.bodies,
@@ -221,13 +221,13 @@ impl Plan {
         }
     }
 
-    /// True where motions in full contact may be shared: what they leave out of a cell's largest and least values is looked
-    /// for by no one, and their bounds hold.
+    /// True where motions in full contact may be shared: the largest and least values that they do not provide are
+    /// not requested, and their bounds hold.
     pub fn shares_contact(&self) -> bool {
         self.laws.shares_contact() && !self.asked.accelerations
     }
 
-    /// What the clocks of its cells follow from.
+    /// The rule from which the clocks of its cells follow.
     pub(crate) fn clock_rule(&self) -> ClockRule<'_> {
         let Plan { resolution, shortcuts, .. } = *self;
         ClockRule { resolution, shortcuts, excitation: &self.scene.excitation }
@@ -297,8 +297,8 @@ mod tests {
     use crate::scene::{Parameter, SceneBuilder};
     use crate::sweep::settings::Method;
 
-    /// At T_v = 0.05 s a period has 160 steps in f32 and 640 in f64, a second 3,200 and 12,800: those are counted that are
-    /// taken.
+    /// At T_v = 0.05 s a period has 160 steps in f32 and 640 in f64, a second 3,200 and 12,800: the limit counts the
+    /// steps that are taken.
     #[test]
     fn steps_are_bounded_as_they_are_taken() {
         let accepted = |t_max: f64, method: Method| {
@@ -314,7 +314,7 @@ mod tests {
         let f32 = Method::default();
         let f64 = Method { precision: Precision::F64, ..f32 };
         let (twice, thrice) = (Method { resolve: true, ..f32 }, Method { repair: true, ..f32 });
-        // A block makes the base stiffer by some percent.
+        // A block makes the base stiffer by a few percent.
         let most = |t_max| [f32, f64, twice, thrice].map(|method| accepted(t_max, method));
         assert_eq!(most(1.0e5), [true, false, false, false]);
         assert_eq!(most(5.0e4), [true, true, false, false]);

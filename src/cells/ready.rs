@@ -21,11 +21,11 @@ use crate::work::observer::Observer;
 
 /// The data from which some cells of a plan's grid are made.
 pub struct Cells<'a, R> {
-    /// Their numbers.
+    /// The tables of their numbers.
     pub tables: CellTables<'a, R>,
-    /// Their shared motions in full contact, where they share them.
+    /// Their shared motions in full contact, if they share any.
     pub motions: Arc<Option<FullContactMotions<R>>>,
-    /// Where they find the motions of u and of v.
+    /// Where they find their motions of u and of v.
     pub of_motions: Option<[Index; 2]>,
 }
 
@@ -49,15 +49,15 @@ impl<'a, R: Real> Cells<'a, R> {
         &self.tables.bodies.entries
     }
 
-    /// A cell, by its number in the list, as its integration begins. Not inlined, so that it is compiled once, not
-    /// for every kind of vector.
+    /// A cell, by its number in the list, at the start of its integration. The function is not inlined, so that it is
+    /// compiled once and not for every kind of vector.
     #[inline(never)]
     pub fn begin(&self, number: usize) -> (Cell<R>, State<R>) {
         let cell = self.tables.cell(number);
         begin(&self.tables, self.motions_of(&cell), &cell)
     }
 
-    /// The motions that a cell shares, where it does.
+    /// The motions that a cell shares, if it does.
     #[inline(always)]
     pub(crate) fn motions_of(&self, cell: &CellAt) -> Option<MotionPair<'_, R>> {
         let motions = self.motions.as_ref().as_ref()?;
@@ -71,7 +71,7 @@ impl<'a, R: Real> Cells<'a, R> {
         self.outcome_at(&cell, &self.tables.clock(&cell), state)
     }
 
-    /// The same of a cell of this clock.
+    /// The same for a cell with this clock.
     #[inline]
     pub fn outcome_at(&self, cell: &CellAt, clock: &Clock, state: &State<R>) -> Outcome {
         self.tables.readers.at(cell).outcome(clock, state)

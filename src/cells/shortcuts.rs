@@ -20,8 +20,8 @@ impl Shortcuts {
     pub const NONE: Shortcuts =
         Shortcuts { linear: false, certificate: false, full_contact: false };
 
-    /// True where z is integrated. Where psi = 1 no force depends on it; the full model integrates it all the same, and
-    /// needs steps that resolve it.
+    /// True where z is integrated. Where psi = 1 no force depends on z; the full model still integrates it, and needs
+    /// steps that resolve it.
     pub(crate) fn integrate_z(self, psi: f64) -> bool {
         psi < 1.0 || !self.linear
     }

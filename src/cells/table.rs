@@ -1,10 +1,9 @@
-//! Tables of numbers that depend on some of a grid's axes only.
+//! Tables of numbers that depend on only some of the axes of a grid.
 //!
-//! A group of a cell's numbers depends on some of the axes only: under a pulse the steps on Omega, the
-//! yield displacement on A_h. A table has one entry for each combination of the values of those axes,
-//! so that a map of a thousand columns and rows needs a few thousand entries for its million cells. It has
-//! those alone that some cells need, so that a batch of a large grid needs a small one, and so does a list of
-//! cells, whatever the grid in which they lie.
+//! A group of the numbers of a cell depends on only some of the axes: under a pulse the steps depend on Omega, the
+//! yield displacement on A_h. A table has one entry for each combination of the values of those axes, so that a map
+//! of a thousand columns and rows needs a few thousand entries for its million cells. It has only the entries that
+//! some cells need, so that a batch or a list of cells needs a small table, whatever the size of the grid.
 
 use rayon::prelude::*;
 
@@ -12,7 +11,7 @@ use super::listing::{CellAt, Index, Listing};
 use crate::scene::{Case, Parameter};
 use crate::work::threads::install;
 
-/// Entries from which on all cores compute them.
+/// The number of entries from which on all cores compute them.
 const MANY: usize = 1 << 10;
 
 /// One entry for each combination of values that a group depends on.
@@ -20,7 +19,7 @@ const MANY: usize = 1 << 10;
 pub struct Table<T> {
     /// The entries, the first axis fastest.
     pub entries: Vec<T>,
-    /// Where cells find theirs.
+    /// Where cells find their entries.
     pub index: Index,
 }
 

@@ -6,13 +6,13 @@ use crate::scene::{Grid, Parameter};
 /// Entries from one value of each axis to the next.
 pub type Strides = [usize; AXES];
 
-/// Entries from the first to the one of a place.
+/// The number of entries from the first one to that of a place.
 #[inline(always)]
 pub fn offset(strides: &Strides, place: &Place) -> usize {
     strides.iter().zip(place).map(|(stride, at)| stride * at).sum()
 }
 
-/// A box of a grid's cells: the first value of each axis, and how many.
+/// A box of cells of a grid: the first value of each axis, and the number of values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Window {
     first: Place,
@@ -29,7 +29,7 @@ impl Window {
         Window { first: [0; AXES], counts }
     }
 
-    /// A box around some cells: all values of the fast axes, and of the slow ones no more than they have.
+    /// A box around some cells: all values of the fast axes, and of the slow axes only the range that the cells have.
     pub fn around(grid: &Grid, cells: &[usize]) -> Window {
         let mut window = Window::whole(grid);
         let least = cells.iter().min().copied().unwrap_or(0);
@@ -44,7 +44,7 @@ impl Window {
         window
     }
 
-    /// Cells in it, at most what the machine's addresses hold.
+    /// The number of cells in it, limited to the range of addresses of the machine.
     pub fn cells(&self) -> usize {
         product(&self.counts)
     }
@@ -69,12 +69,12 @@ pub struct Combinations {
 }
 
 impl Combinations {
-    /// How many they are, at most what the machine's addresses hold.
+    /// The number of combinations, limited to the range of addresses of the machine.
     pub fn count(&self) -> usize {
         product(&self.counts)
     }
 
-    /// From a value of each axis to the next: none along an axis of no effect.
+    /// The distance from a value of each axis to the next: zero along an axis without an effect.
     pub fn strides(&self) -> Strides {
         let mut combinations = 1_usize;
         self.counts.map(|count| {
@@ -84,12 +84,12 @@ impl Combinations {
         })
     }
 
-    /// Combinations from that of the grid's first values to the window's.
+    /// The distance from the combination of the first values of the grid to that of the window.
     pub fn before(&self) -> usize {
         offset(&self.strides(), &self.first)
     }
 
-    /// The place of one.
+    /// The place of a combination.
     pub fn place(&self, number: usize) -> Place {
         let mut rest = number;
         std::array::from_fn(|axis| {

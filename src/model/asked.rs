@@ -1,14 +1,14 @@
-//! Which largest and least values of a cell somebody asks for. What nobody asks for is not looked for, and a cell may end
-//! before it is final.
+//! Which largest and least values of a cell are requested. A value that is not requested is not searched for, and a
+//! cell may end before that value is final.
 
-/// Groups of values, each of which is looked for or is not.
+/// The groups of values that can be requested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Asked {
     /// The largest rotations, and with them the rocking index.
     pub angles: bool,
     /// The largest |u| and |v|.
     pub displacements: bool,
-    /// The least contact force and the friction asked for.
+    /// The least normal contact force, and the friction coefficient that keeps the block from sliding.
     pub forces: bool,
     /// The largest accelerations of the upper plate and of the centre of mass, and the largest force that the base
     /// carries.
@@ -18,7 +18,7 @@ pub struct Asked {
 }
 
 impl Asked {
-    /// Those of the columns that a map has by default.
+    /// The groups that the default columns of a map need.
     pub const ALL: Asked = Asked {
         angles: true,
         displacements: true,

@@ -29,7 +29,7 @@ pub struct Corner<R> {
     pub eta_u: R,
     /// eta_v of (17b), m.
     pub eta_v: R,
-    /// Fills the struct to whole 16 bytes, as a uniform buffer asks for.
+    /// Padding: the size of the struct is a multiple of 16 bytes, as a uniform buffer requires.
     pub padding: R,
 }
 
@@ -37,7 +37,7 @@ pod!(Corner, reals: 8, words: 0);
 reals!(Corner, 8, side arm inertia overturn eta_phi eta_u eta_v padding);
 pod!(Model, reals: 32, words: 0);
 
-/// A body: the block, and the mass ratios of its base. Cells that differ in none of it share one.
+/// A body: the block and the mass ratios of its base. Cells whose numbers are equal share one body.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Model<R> {
@@ -59,33 +59,32 @@ pub struct Model<R> {
     pub inverse_mu_v: R,
     /// The shorter of the two lever arms, m.
     pub least_arm: R,
-    /// g (min R - H): energy over M without which no corner is overturned about, J/kg.
+    /// g (min R - H): the least energy over M with which the block can overturn about a corner, J/kg.
     pub topple_energy: R,
-    /// The most by which impacts to come can raise the energy: 1 by the law of impact, (15). With a
-    /// given coefficient of restitution a landing on the longer arm may raise it, the next one takes
-    /// it back.
+    /// The largest factor by which later impacts can raise the energy: 1 by the law of impact, (15). With a given
+    /// coefficient of restitution an impact on the longer arm may raise the energy; the next impact lowers it again.
     pub impact_gain: R,
-    /// Bounds on the contact forces while rocking ([`certificate`](crate::stepping::certificate)):
-    /// the least of 1 - kappa_v Q^2/D, the share of f_v in the normal force.
+    /// Bounds on the contact forces while the block rocks ([`certificate`](crate::stepping::certificate)): the least
+    /// value of 1 - kappa_v Q^2/D, the share of f_v in the normal force.
     pub normal_share: R,
-    /// The most of kappa_v P Q/D, that of f_h.
+    /// The largest value of kappa_v P Q/D, the share of f_h in the normal force.
     pub normal_by_shear: R,
-    /// The most of kappa_v P w [1 - (mu_h - mu_v) Q^2/D] over the energy over M, 1/m.
+    /// The largest value of kappa_v P w [1 - (mu_h - mu_v) Q^2/D] over the energy over M, 1/m.
     pub normal_by_turn: R,
-    /// The most of kappa_h P Q/D, the share of f_v in the shear.
+    /// The largest value of kappa_h P Q/D, the share of f_v in the shear.
     pub shear_by_normal: R,
-    /// The most of kappa_h Q w [1 + (mu_h - mu_v) P^2/D] over the energy over M, 1/m.
+    /// The largest value of kappa_h Q w [1 + (mu_h - mu_v) P^2/D] over the energy over M, 1/m.
     pub shear_by_turn: R,
-    /// Fills the struct to whole 16 bytes, as a uniform buffer asks for.
+    /// Padding, as above.
     pub padding_0: R,
-    /// The same.
+    /// Padding, as above.
     pub padding_1: R,
 }
 
 macro_rules! model {
     ($($field:ident)+) => {
         impl<R: Copy> Model<R> {
-            /// The same model in other numbers, each made of the one in its place.
+            /// The same model in another number type: each number is made from the number in its place.
             #[inline(always)]
             pub fn map<Q>(&self, make: impl Fn(R) -> Q) -> Model<Q> {
                 Model {
@@ -95,7 +94,7 @@ macro_rules! model {
                 }
             }
 
-            /// Changes each number by the one in its place in another model.
+            /// Changes each number by means of the number in the same place of another model.
             #[inline(always)]
             pub fn take<Q: Copy>(&mut self, from: &Model<Q>, mut change: impl FnMut(&mut R, Q)) {
                 for (to, from) in [(&mut self.left, &from.left), (&mut self.right, &from.right)] {
@@ -113,8 +112,8 @@ model!(
     normal_by_shear normal_by_turn shear_by_normal shear_by_turn padding_0 padding_1
 );
 
-/// The corner that the block turns about in a rocking mode (the left one in full contact, where
-/// nothing asks for it).
+/// The corner about which the block turns in a rocking mode. In full contact it is the left corner, and nothing reads
+/// it.
 #[inline(always)]
 pub fn pivot<R: Copy>(model: &Model<R>, mode: u32) -> Corner<R> {
     if mode == ROCKING_RIGHT {

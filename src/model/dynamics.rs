@@ -40,7 +40,7 @@ pub struct Contact<R> {
 }
 
 impl<R: Copy> Rates<R> {
-    /// The contact force that comes with the rates.
+    /// The contact force that belongs to the rates.
     #[inline(always)]
     pub fn contact(&self) -> Contact<R> {
         Contact { shear: self.shear, normal: self.normal }
@@ -69,7 +69,7 @@ pub fn lever_at<R: Number>(set: &CellEquations<R>, corner: &Corner<R>, phi: R) -
     }
 }
 
-/// (5) in full contact, (9) while rocking.
+/// The rates of the motion: (5) in full contact, (9) while the block rocks.
 ///
 /// (9c) with (9a) and (9b) eliminated is one division:
 /// `ddphi = [P (f_h + mu_h Q dphi^2) - Q (f_v + mu_v P dphi^2)] / [I/M - mu_h P^2 - mu_v Q^2]`.
@@ -99,7 +99,8 @@ pub fn rates<R: Number>(
         let inertia = (-mu_p).mul_add(p, (-mu_q).mul_add(q, corner.inertia));
         let mut turn = p.mul_add(push_h, -(q * push_v)) / inertia;
         if variant.devices && variant.follows && !variant.isolated_v {
-            // The rotation presses on the pendulum, too: its acceleration stands on both sides of (9a).
+            // The rotation changes the force on the pendulum, too: the angular acceleration stands on both sides of
+            // (9a).
             let (slope, weight) = (pendulum_slope(set, y), base.f_v);
             let rest = slope.mul_add(weight.max(zero), push_h);
             let still = (-mu_p).mul_add(w, weight);

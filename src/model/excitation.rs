@@ -6,9 +6,8 @@ use super::layout::{pod, reals};
 
 /// The numbers of one cell of the grid.
 ///
-/// Time is a whole number of steps and a fraction of one; no accumulated sum of steps exists
-/// anywhere. The forced steps divide the pulse evenly, so that its end is a step boundary; the
-/// free steps divide the rest.
+/// Time is a whole number of steps and a fraction of a step; the lengths of steps are never summed. The forced steps
+/// divide the pulse evenly, so that its end is a step boundary; the free steps divide the rest.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Cell<R> {
@@ -40,10 +39,10 @@ pub struct Cell<R> {
     pub yield_energy: R,
     /// g/omega_v^2, the base's static deflection, m.
     pub deflection: R,
-    /// omega_h sqrt(1 + 4 xi_h^2/a): the most |f_h| of (10a) over the root of twice the energy over
-    /// M_t, 1/s. a <= 1 is the share of u's inertia that the block, free to rock, leaves it.
+    /// omega_h sqrt(1 + 4 xi_h^2/a): the largest |f_h| of (10a) divided by the square root of twice the energy over
+    /// M_t, 1/s. a <= 1 is the share of the inertia of u that remains where the block is free to rock.
     pub reach_h: R,
-    /// The same of |f_v - g|, (10b), 1/s.
+    /// The same for |f_v - g| of (10b), 1/s.
     pub reach_v: R,
     /// 1/gamma of a modulated pulse.
     pub envelope: R,

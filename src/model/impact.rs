@@ -5,7 +5,7 @@ use super::block::Corner;
 use super::motion::Motion;
 use super::number::Number;
 
-/// The block goes on about the other corner, `landing`: (16) with the coefficients (17).
+/// After the impact the block turns about the other corner, `landing`: (16) with the coefficients (17).
 #[inline(always)]
 pub fn change_corner<R: Number>(landing: &Corner<R>, y: &Motion<R>) -> Motion<R> {
     Motion {
@@ -19,8 +19,8 @@ pub fn change_corner<R: Number>(landing: &Corner<R>, y: &Motion<R>) -> Motion<R>
     }
 }
 
-/// The block comes to rest on both corners: the linear momenta of (15a) and (15b) are kept, the
-/// rotation ends. `leaving` is the corner that it turned about.
+/// The block comes to rest on both corners: the linear momenta of (15a) and (15b) are kept, and the rotation ends.
+/// `leaving` is the corner about which the block turned.
 #[inline(always)]
 pub fn come_to_rest<R: Number>(
     set: &CellEquations<R>,

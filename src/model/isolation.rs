@@ -25,21 +25,21 @@ pub struct Variant {
     pub isolated_h: bool,
     /// The base moves vertically.
     pub isolated_v: bool,
-    /// Steps are cut at the kinks of the base's laws.
+    /// Steps are cut at the kinks of the laws of the base.
     pub kinks: bool,
     /// The base yields: z is a state.
     pub yields: bool,
-    /// Cells end where energy proves that nothing more will happen.
+    /// Cells end as soon as their energy proves that their results are final.
     pub certificate: bool,
-    /// The largest and least values that are looked for.
+    /// The largest and least values that are requested.
     pub asked: Asked,
     /// Cells differ in their body.
     pub bodies: bool,
     /// n of (11).
     pub bouc_wen_n: u32,
-    /// Any of the three laws that follow.
+    /// True where at least one of the three following laws is on.
     pub devices: bool,
-    /// The base slides on a pendulum whose force follows what presses on it.
+    /// The base is a friction pendulum whose force is proportional to the force that presses on it.
     pub follows: bool,
     /// The base has an end stop.
     pub stops: bool,
@@ -48,7 +48,7 @@ pub struct Variant {
 }
 
 impl Variant {
-    /// A block on the ground under a pulse, of which all is looked for, with every option off.
+    /// A block on the ground under a pulse: all values are requested, and every option is off.
     pub const PLAIN: Variant = Variant {
         recorded: false,
         pulse: Shape::OneSine,
@@ -68,7 +68,7 @@ impl Variant {
     };
 }
 
-/// The accelerations that the base passes on to what stands on it.
+/// The accelerations that the base transmits to the masses above it.
 #[derive(Debug, Clone, Copy)]
 pub struct Support<R> {
     /// f_h = F_h/M_t, (10a), m/s^2; where the direction is locked, the ground's acceleration.
@@ -91,7 +91,7 @@ pub fn support<R: Number>(set: &CellEquations<R>, y: &Motion<R>, ground: Ground<
     }
     let mut f_v = ground.v + set.model.gravity;
     if variant.isolated_v {
-        // v is counted from the static position, where the spring carries the weight.
+        // v is measured from the static position, where the spring carries the weight.
         f_v = set.model.gravity - cell.damping_v.mul_add(y.dv, cell.stiffness_v * y.v);
     }
     if variant.devices {
@@ -134,13 +134,15 @@ pub fn pendulum_slope<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
     force * y.u.like(INVERSE_GRAVITY)
 }
 
-/// The force that presses on the horizontal device of a block in full contact, or of one on a vertical isolation, over
-/// M_t, m/s^2: the plate m_h moves with the ground, what is above stands on the vertical spring.
+/// The force that presses on the horizontal device over M_t, m/s^2, where the block is in full contact or the base is
+/// isolated vertically: the plate m_h moves vertically with the ground, and the mass above it stands on the vertical
+/// spring.
 #[inline(always)]
 pub fn pressure<R: Number>(set: &CellEquations<R>, f_v: R, ground: Ground<R>) -> R {
     let model = set.model;
     let below = ground.v + model.gravity;
-    // M_v/M_t of the mass is above; where the vertical direction is locked f_v is that of the ground.
+    // The share M_v/M_t of the mass is above the spring. Where the vertical direction is locked f_v is that of the
+    // ground.
     let above = model.mu_h * model.inverse_mu_v;
     above.mul_add(f_v - below, below)
 }
@@ -195,9 +197,9 @@ pub fn stop_side<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
     R::select(stop_guard(set, y).gt(zero), side_of(y.u), zero)
 }
 
-/// dz/dt of (11) with A_h = 1 and beta_h = gamma_h = 1/2: elastic while u and z go against each
-/// other, 1 - |z|^n while they go together. Signs are compared, not their product, which can
-/// underflow.
+/// dz/dt of (11) with A_h = 1 and beta_h = gamma_h = 1/2: the elastic rate du/u_y where du and z have opposite signs,
+/// and (1 - |z|^n) times this rate where they have the same sign. The signs are compared, and not their product,
+/// which can underflow.
 #[inline(always)]
 pub fn hysteretic_rate<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
     let zero = y.du.like(0.0);
@@ -208,7 +210,8 @@ pub fn hysteretic_rate<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
     let magnitude = y.z.abs();
     let mut power = magnitude * magnitude;
     if set.variant.bouc_wen_n != 2 {
-        // By squares: a driver may bound the iterations of a shader's loops.
+        // The power is a product of repeated squares, because a driver may limit the iterations of a loop in a
+        // shader.
         power = zero.like(1.0);
         let mut square = magnitude;
         let mut n = set.variant.bouc_wen_n;

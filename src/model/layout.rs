@@ -1,7 +1,7 @@
-//! Structs that lie in the memory of a device as they lie here.
+//! Structs that have the same layout here and in the memory of a device.
 
-/// Declares a `#[repr(C)]` struct of reals and words fit to be copied to a device, in both
-/// precisions; a struct with padding does not compile.
+/// Declares a `#[repr(C)]` struct of reals and words that can be copied to a device, in both precisions; a struct
+/// with padding does not compile.
 macro_rules! pod {
     ($name:ident, reals: $reals:expr, words: $words:expr) => {
         const _: () = assert!(size_of::<$name<f32>>() == 4 * $reals + 4 * $words);
@@ -13,36 +13,36 @@ macro_rules! pod {
 }
 pub(crate) use pod;
 
-/// Gives a struct its reals in order, to be read, written or made anew one by one; words that it
-/// has besides go along.
+/// Gives access to the reals of a struct in their order: to read them, to write them, or to make each anew. The words
+/// of the struct are copied unchanged.
 macro_rules! reals {
     ($name:ident, $count:expr, $($field:ident)+ $(; $($word:ident)+)?) => {
         impl<R: Copy> $name<R> {
-            /// All reals, in order.
+            /// Copies of all reals, in order.
             #[inline(always)]
             pub fn reals(&self) -> [R; $count] {
                 [$(self.$field),+]
             }
 
-            /// All reals, in order, where they lie.
+            /// References to all reals, in order.
             #[inline(always)]
             pub fn reals_ref(&self) -> [&R; $count] {
                 [$(&self.$field),+]
             }
 
-            /// All reals, in order, to be written.
+            /// Mutable references to all reals, in order.
             #[inline(always)]
             pub fn reals_mut(&mut self) -> [&mut R; $count] {
                 [$(&mut self.$field),+]
             }
 
-            /// The same struct of other numbers, each made of the one in its place.
+            /// The same struct in another number type: each number is made from the number in its place.
             #[inline(always)]
             pub fn map<Q>(&self, make: impl Fn(R) -> Q) -> $name<Q> {
                 $name { $($field: make(self.$field),)+ $($($word: self.$word,)+)? }
             }
 
-            /// The same struct of numbers made of two in their places.
+            /// The same struct, each number made from the two numbers in its place.
             #[inline(always)]
             pub fn zip<Q>(&self, other: &Self, make: impl Fn(R, R) -> Q) -> $name<Q> {
                 $name {

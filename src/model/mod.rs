@@ -28,7 +28,7 @@ use excitation::{Cell, Ground};
 use isolation::Variant;
 use number::Number;
 
-/// The data of one cell's equations; globals and arguments in the shaders.
+/// The data of the equations of one cell; in the shaders these are globals and arguments.
 #[derive(Debug, Clone, Copy)]
 pub struct CellEquations<'a, R> {
     /// The parts of the model that are on (`override` constants in the shaders).
@@ -45,7 +45,7 @@ pub struct CellEquations<'a, R> {
 }
 
 impl<'a, R: Number> CellEquations<'a, R> {
-    /// Those of a cell whose base is not against its end stop.
+    /// The data of a cell whose base is not against its end stop.
     #[inline(always)]
     pub fn of(
         variant: Variant,

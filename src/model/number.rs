@@ -1,9 +1,9 @@
-//! The operations that the equations need of a number: of one cell, or a vector with one cell in each
-//! lane.
+//! The operations on numbers that the equations need. A number belongs to one cell, or is a vector with one cell in
+//! each lane.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-/// Numbers of halvings, and what is left by them.
+/// Numbers n of halvings, and the factor 2^-n of each.
 const HALVINGS: [(f64, f64); 6] = [
     (32.0, 2.328_306_436_538_696_3e-10),
     (16.0, 1.525_878_906_25e-5),
@@ -63,7 +63,7 @@ pub trait Number:
     /// `yes` where the mask is true, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
-    /// True where any lane of the mask is.
+    /// True where the mask is true in at least one lane.
     fn any(mask: Self::Mask) -> bool;
 
     /// The larger of the two; `self` where `other` is not a number.
@@ -100,7 +100,8 @@ pub trait Number:
         t.mul_add(p, self.like(1.0))
     }
 
-    /// e^-x for 0 <= x <= 44, to the type's rounding: x less as many ln 2 as it holds, by powers of two.
+    /// e^-x for 0 <= x <= 44, to the rounding of the type: the whole multiple of ln 2 in x is taken off and becomes a
+    /// power of two.
     #[inline(always)]
     fn exponential(self) -> Self {
         let mut rest = self;
@@ -118,8 +119,7 @@ pub trait Number:
         rest.mul_add(p, self.like(1.0)) * power
     }
 
-    /// sin(2 pi tau) for 0 <= tau <= 1: tau is brought to within a quarter period, which is
-    /// exact, before the polynomial sees it.
+    /// sin(2 pi tau) for 0 <= tau <= 1: tau is first reduced to a quarter period, which is exact.
     #[inline(always)]
     fn pulse_sine(tau: Self) -> Self {
         let last = tau.gt(tau.like(0.75));

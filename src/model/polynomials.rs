@@ -34,7 +34,7 @@ pub const COSINE_F64: [f64; 10] = [
     -0.5,
 ];
 
-// Taylor's for e^-x: what they leave out at ln 2 is below 1e-8 in f32, below 1e-18 in f64.
+// The Taylor series of e^-x: the terms that are left out are below 1e-8 at x = ln 2 in f32, and below 1e-18 in f64.
 /// Coefficients of the exponential in f32, the highest first.
 pub const EXPONENTIAL_F32: [f64; 9] = [
     -2.755_731_9e-6,

@@ -1,7 +1,7 @@
-//! The pulses that may shake the base: of each its length, and its wave. Twin of `shaders/pulse.wgsl`.
+//! The pulses that can shake the base: the length and the wave of each. Twin of `shaders/pulse.wgsl`.
 //!
-//! A pulse has a period T_p = 2 pi/Omega and amplitudes A_h and A_v, (22); its wave tells the ground's
-//! acceleration over the amplitude, by the time since it began in periods.
+//! A pulse has a period T_p = 2 pi/Omega and amplitudes A_h and A_v, (22); its wave is the acceleration of the ground
+//! over the amplitude, as a function of the time since the pulse began, in periods.
 
 use serde::{Deserialize, Serialize};
 
@@ -43,9 +43,9 @@ impl Default for Shape {
 }
 
 impl Shape {
-    /// Those that may have several cycles.
+    /// The shapes that may have several cycles.
     pub const WITH_CYCLES: &[Shape] = &[Shape::OneSine, Shape::OneCosine];
-    /// Those that gamma and nu make.
+    /// The shapes that gamma and nu define.
     pub const MODULATED: &[Shape] = &[Shape::MavroeidisPapageorgiou];
 
     /// Its name in captions and messages.
@@ -61,18 +61,18 @@ impl Shape {
         }
     }
 
-    /// True where it may have several cycles.
+    /// True where the pulse may have several cycles.
     pub fn has_cycles(self) -> bool {
         Shape::WITH_CYCLES.contains(&self)
     }
 
-    /// True where gamma and nu make it.
+    /// True where gamma and nu define the pulse.
     pub fn is_modulated(self) -> bool {
         Shape::MODULATED.contains(&self)
     }
 
-    /// How long it lasts, in periods 2 pi/Omega. The wavelets have no end: where they are cut they are
-    /// below 2e-8 of their peak.
+    /// The length of the pulse in periods 2 pi/Omega. The wavelets have no end; where they are cut off they are below
+    /// 2e-8 of their peak.
     pub fn periods(self, cycles: f64, gamma: f64) -> f64 {
         match self {
             Shape::OneSine | Shape::OneCosine => cycles,
@@ -83,7 +83,7 @@ impl Shape {
         }
     }
 
-    /// The highest frequency in it, over Omega/2 pi.
+    /// The highest frequency of the pulse, over Omega/2 pi.
     pub fn highest(self, gamma: f64) -> f64 {
         if self.is_modulated() { 1.0 + 1.0 / gamma } else { 1.0 }
     }
@@ -94,7 +94,7 @@ impl Shape {
     }
 }
 
-/// What makes the wave of Mavroeidis & Papageorgiou.
+/// The two numbers of a cell that define the wave of Mavroeidis & Papageorgiou.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Modulation {
     /// See [`Cell::envelope`].
@@ -104,13 +104,13 @@ pub struct Modulation {
 }
 
 impl Modulation {
-    /// That of gamma and nu (rad).
+    /// The modulation of gamma and nu (rad).
     pub fn of(gamma: f64, nu: f64) -> Modulation {
         let carrier = nu / std::f64::consts::TAU - 0.5 * gamma;
         Modulation { envelope: 1.0 / gamma, carrier: carrier - carrier.floor() }
     }
 
-    /// The largest magnitude of its wave. The envelope has it within a period of the middle.
+    /// The largest magnitude of the wave. The envelope has its own within a period of the middle.
     fn peak(&self, gamma: f64) -> f64 {
         const SAMPLES: u32 = 64;
         let reach = (0.5 * gamma).min(1.0);
@@ -123,7 +123,7 @@ impl Modulation {
             if at(x) < at(x - apart).max(at(x + apart)) {
                 continue;
             }
-            // The crest beside a sample: by parabolas, each ten times as narrow.
+            // The crest near a sample is found by parabolas, each ten times as narrow as the one before.
             for h in [apart, 0.1 * apart, 0.01 * apart] {
                 let (before, now, after) = (at(x - h), at(x), at(x + h));
                 let bend = before - 2.0 * now + after;
@@ -172,9 +172,9 @@ fn modulated<N: Number>(envelope: N, carrier: N, phase: N) -> N {
     -(sine_of(turn) + sides)
 }
 
-/// The ground's acceleration over the amplitude, `phase` periods after the pulse's begin; `cycles`: it may
-/// have more than one. That of a modulated pulse is over its [`peak`](Shape::peak), which its amplitude is
-/// divided by.
+/// The acceleration of the ground over the amplitude, `phase` periods after the begin of the pulse; `cycles`: the
+/// pulse may have more than one cycle. The wave of a modulated pulse has its [`peak`](Shape::peak) as its largest
+/// magnitude, and the amplitude is divided by this peak.
 #[inline(always)]
 pub fn wave<V: Vector>((shape, cycles): (Shape, bool), cell: &Cell<V>, phase: V) -> V {
     match shape {
@@ -183,8 +183,8 @@ pub fn wave<V: Vector>((shape, cycles): (Shape, bool), cell: &Cell<V>, phase: V)
     }
 }
 
-/// That of a pulse that is more than a sine of a cycle: compiled once for a kind of vector, apart from
-/// what takes the most usual one.
+/// The wave of a pulse that is not one cycle of a sine. It is compiled once for each kind of vector, apart from the
+/// code of the most frequent pulse.
 #[cold]
 #[inline(never)]
 fn other_wave<V: Vector>(shape: Shape, (envelope, carrier): (V, V), phase: V) -> V {

@@ -1,5 +1,5 @@
-//! The number type of a sweep and the vectors of it: each is defined by the other. Twin of
-//! `shaders/real_f32.wgsl` and `shaders/real_f64.wgsl`.
+//! The number types of a sweep and their vectors: each is defined by the other. Twin of `shaders/real_f32.wgsl` and
+//! `shaders/real_f64.wgsl`.
 
 use std::fmt::Debug;
 
@@ -21,13 +21,13 @@ pub trait Real:
     + Send
     + Sync
 {
-    /// Which one it is. What is generic is compiled again in every crate that calls it; where it takes long, a function
-    /// that is none is called by this.
+    /// The precision of this type. Generic code is compiled again in every crate that calls it; where that takes
+    /// long, a function that is not generic is called with this constant.
     const PRECISION: Precision;
     /// A switch is located to within this fraction of its step.
     const EVENT_TOLERANCE: Self;
-    /// A kink of the Bouc-Wen law is located to within this fraction of its step; what is left of
-    /// its error is of second order in that.
+    /// A kink of the Bouc-Wen law is located to within this fraction of its step; the remaining error is of second
+    /// order in this fraction.
     const KINK_TOLERANCE: Self;
     /// Relative rounding error of a sum of a few products: a unit in the last place.
     const ROUNDING: Self;
@@ -38,9 +38,9 @@ pub trait Real:
     /// The same number in `f64`, without loss.
     fn to_f64(self) -> f64;
 
-    /// As many of these numbers as the CPU path takes at once: 512 bits, in one register or several.
+    /// A vector of as many of these numbers as the CPU path computes at once: 512 bits, in one register or several.
     type Lanes<S: Simd>: Vector<Element = Self>;
-    /// As many as fit a register of 128 bits, for machines that have few registers of no more.
+    /// A vector of 128 bits, for machines that have few registers and no wider ones.
     type FewLanes<S: Simd>: Vector<Element = Self>;
 
     /// The same number in all lanes.
@@ -78,7 +78,7 @@ pub trait Vector: Number + Debug {
 }
 
 mod sealed {
-    /// Only `f32` and `f64` are `Real`: the layouts shared with the shaders rest on it.
+    /// Only `f32` and `f64` are `Real`: the layouts shared with the shaders rely on that.
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}

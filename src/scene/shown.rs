@@ -5,6 +5,15 @@ const SHOWN: usize = 64;
 /// Most letters of a message that another reader made of a text.
 const LINE: usize = 400;
 
+/// True of a character that a terminal obeys or nobody sees: a control character, a mark that turns the direction of writing, one
+/// without a width, a separator of lines.
+pub fn is_hidden(letter: char) -> bool {
+    letter.is_control()
+        || matches!(letter, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{feff}')
+        || matches!(letter, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')
+        || matches!(letter, '\u{2060}'..='\u{206f}' | '\u{e0000}'..='\u{e007f}')
+}
+
 /// A text as a message repeats it.
 pub fn shown(text: &str) -> String {
     cut(text.trim(), SHOWN)
@@ -26,7 +35,7 @@ pub fn word(word: &str) -> String {
 
 fn cut(text: &str, most: usize) -> String {
     let mut letters = text.chars();
-    let plain = |letter: char| if letter.is_control() { ' ' } else { letter };
+    let plain = |letter: char| if is_hidden(letter) { ' ' } else { letter };
     let mut cut: String = letters.by_ref().take(most).map(plain).collect();
     if letters.next().is_some() {
         cut.push('…');
@@ -50,6 +59,7 @@ mod tests {
     #[test]
     fn a_text_is_repeated_in_one_short_line() {
         assert_eq!(shown(" a\nb\u{1b}[31mc "), "a b [31mc");
+        assert_eq!(shown("a\u{202e}b\u{200b}\u{2067}c \u{e9}\u{4e2d}"), "a b  c \u{e9}\u{4e2d}");
         assert_eq!(shown(&"\u{3c0}".repeat(65)), format!("{}…", "\u{3c0}".repeat(64)));
         assert_eq!(line(&"x".repeat(400)), "x".repeat(400));
         assert_eq!(line(&"x".repeat(900)).chars().count(), 401);

@@ -13,18 +13,18 @@ use super::lanes::Lanes;
 use super::log::Listener;
 use super::rk4::{Stepped, hermite};
 
-/// Lanes whose span holds a guard.
+/// The lanes whose span has a guard that happens in it.
 pub struct Crossing<V: Vector> {
-    /// Which one.
+    /// The guard of each lane.
     pub found: Sought<V>,
-    /// Its value over the span.
+    /// The value of the guard over the span.
     pub cubic: Cubic<V>,
-    /// Where in the span it has happened.
+    /// The fraction of the span at which the guard has happened.
     pub upper: V,
 }
 
-/// Error of a parabola at a crest, as a share of its bend: (omega h/2)^2/24 for a step of a 32nd of a
-/// period is 4e-4.
+/// The error of a parabola at a crest, as a share of its second difference: for a step of a 32nd of a period it is
+/// (omega h/2)^2/24 = 4e-4.
 const CREST_ERROR: f64 = 1.0e-3;
 
 /// Bound on the rounding error of an uplift moment.
@@ -35,8 +35,8 @@ fn moment_rounding<V: Vector>(set: &CellEquations<V>, contact: Contact<V>) -> V 
     rounding * (model.height * contact.shear.abs() + arm * contact.normal.abs())
 }
 
-/// No uplift moment in a span with these contact forces at its start, middle and end is larger: a
-/// parabola goes beyond three of its values by an eighth of their bend at most.
+/// An upper bound of the uplift moment in a span with these contact forces at its start, middle and end: a parabola
+/// exceeds three of its values by at most an eighth of their second difference.
 #[inline(always)]
 fn highest_moment<N: Number>(
     set: &CellEquations<N>,
@@ -53,8 +53,8 @@ fn highest_moment<N: Number>(
     share.mul_add(set.model.height.mul_add(shear, arm * normal), values)
 }
 
-/// The parabola through an uplift moment's values at a span's start, middle and end, and the place in the
-/// span where it is, or may be, positive; negative where there is none.
+/// The parabola through the values of an uplift moment at the start, the middle and the end of a span, and the place
+/// in the span where the moment is, or may be, positive; the place is negative where there is none.
 #[inline(always)]
 fn moment_rises<N: Number>(start: N, mid: N, end: N) -> (Cubic<N>, N) {
     let (zero, one) = (start.like(0.0), start.like(1.0));
@@ -74,7 +74,7 @@ fn moment_rises<N: Number>(start: N, mid: N, end: N) -> (Cubic<N>, N) {
 }
 
 impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
-    /// The first kink in the spans of `looked` lanes, each of `h` seconds.
+    /// The first kink in the spans of the `looked` lanes, each of `h` seconds.
     #[inline(always)]
     pub(super) fn kinks(
         &self,
@@ -91,7 +91,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         if !V::any(of_z | of_du) {
             return;
         }
-        // Where both cross, the one whose chord does so first.
+        // Where both change sign, the one whose chord does so first.
         let z_first = (y.du * (y.z - y1.z)).abs().gt((y.z * (y.du - y1.du)).abs());
         crossing.found.kink_z = of_z & (!of_du | z_first);
         crossing.found.kink_u = of_du & !crossing.found.kink_z;
@@ -102,8 +102,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         crossing.cubic = Cubic::select(kinks, &Cubic::through(start, end), &crossing.cubic);
     }
 
-    /// Where the base meets its end stop or leaves it in the spans of `looked` lanes: before a kink that is found there,
-    /// or beside none.
+    /// The place where the base meets its end stop or leaves it in the spans of the `looked` lanes: before a kink
+    /// that is found in the span, or without a kink.
     #[inline(always)]
     pub(super) fn stops(
         &self,
@@ -122,7 +122,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             return;
         }
         let start = end_stop_guard(&set, &self.y, k1, h, rounding);
-        // By the chords, as where two kinks are in a span; where nothing else is found its cubic begins at -1 and is flat.
+        // The chords decide, as for two kinks in a span; where no other guard is found, its cubic begins at -1 and is
+        // constant.
         let kink = crossing.cubic;
         let kink_rise = kink.c1 + kink.c2 + kink.c3;
         let earlier =
@@ -134,7 +135,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         crossing.cubic = Cubic::select(first, &Cubic::through(start, end), &crossing.cubic);
     }
 
-    /// The first impact or overturning in the spans of `looked` lanes, whose block rocks.
+    /// The first impact or overturning in the spans of the `looked` lanes, whose blocks rock.
     #[inline(always)]
     pub(super) fn angles(
         &self,
@@ -153,7 +154,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let dphi1 = corner.side * y1.dphi;
         let mut impact = zero.gt(phi1);
         let mut over = phi1.ge(corner.overturn);
-        // Two crossings in one span: the angle's extremum inside it.
+        // Two crossings in one span: the extremum of the angle lies between them.
         let turns = looked & !(impact | over) & crosses(dphi0, dphi1);
         if V::any(turns) {
             let at = dphi0 / (dphi0 - dphi1);
@@ -176,7 +177,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         }
     }
 
-    /// The first uplift in the spans of `looked` lanes, whose block stands.
+    /// The first uplift in the spans of the `looked` lanes, whose blocks stand.
     #[inline(always)]
     pub(super) fn uplifts(
         &self,
@@ -208,8 +209,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         if !V::any(lifts) {
             return;
         }
-        // The first guess is of the one that is positive earlier; the search itself is for the larger
-        // moment of the two, whose zero is the first uplift whichever it is.
+        // The first guess is for the moment that becomes positive first. The search itself uses the larger of the two
+        // moments, whose zero is the first uplift in either case.
         let larger = uplift_moment(&set, left, end).ge(uplift_moment(&set, right, end));
         let earlier = at_right.gt(at_left) | (at_right.ge(at_left) & larger);
         let by_its_left = lefts & (!rights | earlier);
@@ -219,8 +220,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         crossing.cubic = Cubic::select(lifts, &cubic, &crossing.cubic);
     }
 
-    /// The first guard in the spans of `looked` lanes, each of `h` seconds: a kink (but in `kinked`
-    /// lanes, whose span ends at one) or the end stop (but in `stopped` lanes), else a switch.
+    /// The first guard in the spans of the `looked` lanes, each of `h` seconds: a kink (except in the `kinked` lanes,
+    /// whose span ends at one) or the end stop (except in the `stopped` lanes), else a switch.
     #[inline(always)]
     pub(super) fn crossing(
         &self,
@@ -255,8 +256,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         crossing
     }
 
-    /// The guards at the ends of the trials, those that are sought or else impacts; slopes over their
-    /// spans.
+    /// The guards at the ends of the trials: those that are searched for, or else impacts. Slopes are over the spans
+    /// of the trials.
     #[inline(always)]
     pub(super) fn sample(&self, y1: &Motion<V>, k_end: &Rates<V>) -> GuardSample<V> {
         let set = self.equations();

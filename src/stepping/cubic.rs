@@ -6,21 +6,21 @@ use crate::model::number::Number;
 use super::guards::GuardSample;
 use super::rk4::hermite;
 
-/// A cubic in the fraction of a span, by its coefficients.
+/// A cubic polynomial in the fraction of a span, by its coefficients.
 #[derive(Clone, Copy)]
 pub struct Cubic<N> {
-    /// Value at the start.
+    /// The value at the start.
     pub c0: N,
-    /// Slope there.
+    /// The slope at the start.
     pub c1: N,
-    /// Of the square.
+    /// The coefficient of the square.
     pub c2: N,
-    /// Of the cube.
+    /// The coefficient of the cube.
     pub c3: N,
 }
 
 impl<N: Number> Cubic<N> {
-    /// The cubic with these values and slopes at a span's ends.
+    /// The cubic with these values and slopes at the ends of a span.
     #[inline(always)]
     pub fn through(start: GuardSample<N>, end: GuardSample<N>) -> Cubic<N> {
         let (two, three) = (end.value.like(2.0), end.value.like(3.0));
@@ -44,17 +44,16 @@ impl<N: Number> Cubic<N> {
         }
     }
 
-    /// The root in a span at whose end the cubic is positive, and the slope there.
+    /// The root in a span at whose end the cubic is positive, and the slope at the root.
     #[inline(always)]
     pub fn root(&self) -> (N, N) {
         let (zero, one) = (self.c0.like(0.0), self.c0.like(1.0));
         let (two, three) = (self.c0.like(2.0), self.c0.like(3.0));
         let rise = self.c1 + self.c2 + self.c3;
         let slope1 = three.mul_add(self.c3, two.mul_add(self.c2, self.c1));
-        // If it rises at both ends: the first guess is the zero of the chord, improved by the inverse
-        // cubic, which gives the place as a function of the value. If it falls first, as the angle of a
-        // block that has just landed does: the first guess is the place where the parabola from the start
-        // returns to its first value.
+        // If the cubic rises at both ends, the first guess is the zero of the chord, improved by the inverse cubic,
+        // which gives the place as a function of the value. If it falls at first, as the angle of a block does after
+        // an impact, the first guess is the place where the parabola from the start returns to its first value.
         let rises = self.c1.gt(zero) & slope1.gt(zero);
         let slopes = self.c1 * slope1;
         let inverse = one / N::select(rises, rise * slopes, self.c2 + self.c3);

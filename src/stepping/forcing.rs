@@ -1,5 +1,5 @@
-//! The ground under each lane, a forcing segment at a time: steps of one length under a ground of one
-//! form (the pulse, a gap between two samples of a record, or rest). Twin of `shaders/forcing.wgsl`.
+//! The motion of the ground under each lane, one forcing segment at a time: steps of equal length under a ground
+//! motion of one form (the pulse, a gap between two samples of a record, or rest). Twin of `shaders/forcing.wgsl`.
 
 use crate::model::CellEquations;
 use crate::model::excitation::{Cell, Ground};
@@ -8,35 +8,33 @@ use crate::model::number::Number;
 use crate::model::pulse::wave;
 use crate::model::real::{Real, Vector};
 
-/// Most steps of a segment: numbers of steps that the number type holds without loss, with room for
-/// a fraction.
+/// The most steps of a segment: the number type holds this number of steps without loss, with room for a fraction.
 pub const MOST_STEPS: u32 = 1 << 20;
 
 /// The forcing segment of each lane.
 pub struct Forcing<V> {
-    /// Length of a step, s.
+    /// The length of a step, s.
     pub step: V,
-    /// Steps done.
+    /// The number of steps done.
     pub done: V,
-    /// Steps in all.
+    /// The number of steps in all.
     pub steps: V,
-    /// Phase where the segment begins: periods of the pulse, zero for a record.
+    /// The phase at which the segment begins: periods of the pulse, zero for a record.
     phase_start: V,
-    /// Periods of the pulse, or gaps between samples of the record, in one step; zero without
-    /// excitation.
+    /// The periods of the pulse, or the gaps between samples of the record, in one step; zero without excitation.
     phase_step: V,
-    /// Amplitudes of the pulse, or the sample before; zero without excitation.
+    /// The amplitudes of the pulse, or the sample of the record at the start of the gap; zero without excitation.
     base: Ground<V>,
-    /// From the sample before to the one after.
+    /// The difference between the samples at the end and at the start of the gap.
     rise: Ground<V>,
-    /// Lanes under excitation, a bit each.
+    /// The lanes under excitation, one bit each.
     pub forced: u64,
-    /// The record's sample after, and the one after the next gap, which is fetched while the gap before runs: lanes
-    /// change to it without waiting for single numbers on their way into a vector. A thread of the shader reads a gap
-    /// when it begins.
+    /// The sample of the record at the end of the gap, and the one at the end of the next gap. The latter is read
+    /// while the gap before runs, so that lanes change to it without a wait for single numbers to be put into a
+    /// vector. A thread of the shader reads a gap when the gap begins.
     after: Ground<V>,
     next: Ground<V>,
-    /// Lanes that have a next gap, a bit each.
+    /// The lanes that have a next gap, one bit each.
     pub fetched: u64,
 }
 
@@ -60,8 +58,8 @@ impl<V: Vector> Forcing<V> {
         }
     }
 
-    /// The ground at a fraction of each lane's step: the pulse (22), or the record, linear between its
-    /// samples.
+    /// The acceleration of the ground at a fraction of the step of each lane: the pulse (22), or the record, linear
+    /// between its samples.
     #[inline(always)]
     pub fn ground(&self, variant: Variant, cell: &Cell<V>, fraction: V) -> Ground<V> {
         let zero = fraction.like(0.0);
@@ -79,7 +77,7 @@ impl<V: Vector> Forcing<V> {
         Ground { h: self.base.h * wave, v: self.base.v * wave }
     }
 
-    /// Puts lanes, which have a next gap, on it.
+    /// Puts lanes, each of which has a next gap, on this gap.
     #[inline(always)]
     pub fn follow(&mut self, lanes: V::Mask, cell: &Cell<V>) {
         let (base, rise) = gap(cell, self.after, self.next);
@@ -92,7 +90,7 @@ impl<V: Vector> Forcing<V> {
         self.done = V::select(lanes, self.done.like(0.0), self.done);
     }
 
-    /// Fetches a lane's next gap, from `sample` on, if its record has one there.
+    /// Reads the next gap of a lane, from `sample` on, if its record has one there.
     #[inline(always)]
     pub fn fetch(
         &mut self,
@@ -109,8 +107,8 @@ impl<V: Vector> Forcing<V> {
         self.fetched |= 1 << lane;
     }
 
-    /// Puts a lane on the segment that its cell is in after `step` steps, fewer than it has in all;
-    /// the segment's first step. `follows`: the segment before was of the same cell.
+    /// Puts a lane on the segment in which its cell is after `step` steps, fewer than it has in all. The result is
+    /// the first step of the segment. `follows`: the segment before belongs to the same cell.
     #[inline(always)]
     pub fn begin(
         &mut self,
@@ -149,7 +147,7 @@ impl<V: Vector> Forcing<V> {
             first = sample * cell.substeps;
             steps = cell.substeps;
             self.fetch(lane, cell, set.record, sample + 1);
-            // A gap after another of the same cell has the same steps.
+            // A gap that follows another gap of the same cell has the same steps.
             if follows {
                 self.done.put(lane, V::Element::of(f64::from(step - first)));
                 return first;
@@ -176,7 +174,8 @@ fn put<V: Vector>(ground: &mut Ground<V>, lane: usize, value: Ground<V::Element>
     ground.v.put(lane, value.v);
 }
 
-/// A gap between two samples of the record under a cell: the ground at the first, and the rise to the second.
+/// The acceleration of the ground at the first sample of a gap of the record under a cell, and its rise to the second
+/// sample.
 #[inline(always)]
 fn gap<N: Number>(cell: &Cell<N>, before: Ground<N>, after: Ground<N>) -> (Ground<N>, Ground<N>) {
     let (h, v) = (cell.amplitude_h, cell.amplitude_v);
@@ -184,7 +183,7 @@ fn gap<N: Number>(cell: &Cell<N>, before: Ground<N>, after: Ground<N>) -> (Groun
     (base, Ground { h: h * (after.h - before.h), v: v * (after.v - before.v) })
 }
 
-/// The ground at a fraction of a cell's step.
+/// The acceleration of the ground at a fraction of a step of a cell.
 pub fn ground_at<R: Real>(set: &CellEquations<R>, step: u32, fraction: R) -> Ground<R> {
     let mut forcing = Forcing::new(R::of(0.0));
     if step < set.cell.steps_forced {

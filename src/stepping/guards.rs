@@ -1,6 +1,6 @@
 //! The guards: functions of the motion at whose roots a step is cut. Twin of `shaders/guards.wgsl`.
 //!
-//! A guard is a function of the motion that is positive once it has happened.
+//! A guard is positive after its event has happened.
 //!
 //! | guard | value | slope over the span | located to, of a step | what happens there |
 //! |---|---|---|---|---|
@@ -11,9 +11,8 @@
 //! | kink of z | z, its sign at the start reversed | h z' | `KINK_TOLERANCE` | the same |
 //! | end stop | its guard, the smaller of the spring's push and the whole force, or that reversed | h times its rate | `EVENT_TOLERANCE`, or twice its rounding | the step is cut: the base meets its stop, or leaves it |
 //!
-//! Two more cuts need no search: the limit of stability of (11), and the impact estimated from the rates
-//! ([`span`](super::span)). A step ends at the end of its forcing segment by construction
-//! ([`forcing`](super::forcing)).
+//! Two more cuts need no search: the limit of stability of (11), and the impact that is estimated from the rates
+//! ([`span`](super::span)). A step never goes beyond the end of its forcing segment ([`forcing`](super::forcing)).
 
 use crate::model::CellEquations;
 use crate::model::dynamics::Rates;
@@ -32,19 +31,19 @@ pub const UPLIFT_RIGHT: u32 = 2;
 pub const IMPACT: u32 = 3;
 /// The block passes the overturning angle.
 pub const OVERTURN: u32 = 4;
-/// The step is cut, the phase stays: du or z changes sign, or z would relax too fast for the step.
+/// The step is cut, and the phase stays: du or z changes sign, or z would relax too fast for the step.
 pub const KINK: u32 = 5;
 
-/// Switches that one step may hold. A block that chatters to rest makes about
-/// [`FLIGHTS_A_STEP`](crate::cells::groups::FLIGHTS_A_STEP) impacts in its last one.
+/// The most switches in one step. A block that chatters to rest makes about
+/// [`FLIGHTS_A_STEP`](crate::cells::groups::FLIGHTS_A_STEP) impacts in its last step.
 pub const EVENT_BOUND: u32 = 128;
-/// Trials of one search at most.
+/// The most trials of one search.
 pub const LOCATE_BOUND: u32 = 60;
 
-/// Which guard each lane searches for: one at most.
+/// The guard that each lane searches for, one at most.
 #[derive(Clone, Copy)]
 pub struct Sought<V: Vector> {
-    /// An uplift; about which corner is decided where it is found.
+    /// An uplift; its corner is decided when the uplift is found.
     pub uplift: V::Mask,
     /// An impact.
     pub impact: V::Mask,
@@ -73,31 +72,31 @@ impl<V: Vector> Sought<V> {
         }
     }
 
-    /// Lanes that search for a kink.
+    /// The lanes that search for a kink.
     #[inline(always)]
     pub fn kink(&self) -> V::Mask {
         self.smooth_kink() | self.stop
     }
 
-    /// Lanes that search for a kink across which no force jumps.
+    /// The lanes that search for a kink without a jump of a force.
     #[inline(always)]
     fn smooth_kink(&self) -> V::Mask {
         self.kink_u | self.kink_z
     }
 
-    /// Lanes that search for an angle: its distance follows from the rates at a trial's end.
+    /// The lanes that search for an angle: its distance follows from the rates at the end of a trial.
     #[inline(always)]
     pub fn angle(&self) -> V::Mask {
         self.impact | self.overturning
     }
 
-    /// Lanes that search for anything.
+    /// The lanes that search for any guard.
     #[inline(always)]
     pub fn any(&self) -> V::Mask {
         self.kink() | self.angle() | self.uplift
     }
 
-    /// Tolerance of a guard's time, as a fraction of the step.
+    /// The tolerance of the time of a guard, as a fraction of the step.
     #[inline(always)]
     pub fn tolerance(&self, zero: V) -> V {
         let event = zero.like(V::Element::EVENT_TOLERANCE.to_f64());
@@ -105,7 +104,7 @@ impl<V: Vector> Sought<V> {
         V::select(self.smooth_kink(), kink, event)
     }
 
-    /// Adds the searches of another set; no lane is in both.
+    /// Adds the searches of another set; no lane is in both sets.
     #[inline(always)]
     pub fn add(&mut self, other: &Sought<V>) {
         self.uplift = self.uplift | other.uplift;
@@ -128,27 +127,27 @@ impl<V: Vector> Sought<V> {
     }
 }
 
-/// A guard at a trial's end.
+/// A guard at the end of a trial.
 #[derive(Clone, Copy)]
 pub struct GuardSample<N> {
-    /// Its value; positive once it has happened.
+    /// The value of the guard; positive after its event has happened.
     pub value: N,
-    /// Its slope over the span.
+    /// The slope of the guard over the span.
     pub slope: N,
-    /// The change of that slope over the span, as it is there.
+    /// The change of this slope over the span, by the rates at this end.
     pub bend: N,
-    /// Bound on the rounding error of the value.
+    /// A bound on the rounding error of the value.
     pub rounding: N,
 }
 
-/// True where a number goes from one side of zero to the other; zero itself is on neither.
+/// True where a number changes from one side of zero to the other; zero itself is on neither side.
 #[inline(always)]
 pub fn crosses<N: Number>(start: N, end: N) -> N::Mask {
     let zero = start.like(0.0);
     (start.gt(zero) & zero.gt(end)) | (zero.gt(start) & end.gt(zero))
 }
 
-/// Impact or overturning: how far the angle is past a target, in the sense of +1 or -1.
+/// Impact or overturning: by how much the angle exceeds a target, in the direction +1 or -1.
 #[inline(always)]
 pub fn angle_guard<N: Number>(
     sense: N,
@@ -165,7 +164,7 @@ pub fn angle_guard<N: Number>(
     }
 }
 
-/// A kink: u' or z, positive once it has left the side of zero that it was on at the start.
+/// A kink: u' or z, positive after it has left the side of zero on which it was at the start.
 #[inline(always)]
 pub fn kink_guard<N: Number>(
     of_z: N::Mask,
@@ -187,8 +186,8 @@ pub fn kink_guard<N: Number>(
     }
 }
 
-/// The end stop: positive once the base is against a stop that it was not against where the span began, or has left the
-/// one that it was against. The guard's value is an acceleration; its slope is over a span of `h` seconds.
+/// The end stop: positive if the base is against a stop that it did not touch at the start of the span, or if it has
+/// left the stop that it touched. The value of the guard is an acceleration; its slope is over a span of `h` seconds.
 #[inline(always)]
 pub fn end_stop_guard<N: Number>(
     set: &CellEquations<N>,

@@ -1,4 +1,4 @@
-//! As many cells as a vector has lanes; one for a plain number.
+//! Integration of as many cells as a vector has lanes; a plain number is one lane.
 
 use bytemuck::Zeroable;
 
@@ -17,18 +17,18 @@ use crate::model::motion::Motion;
 use crate::model::number::Number;
 use crate::model::real::{Real, Vector};
 
-/// A cell that a lane is on.
+/// The cell of a lane.
 #[derive(Debug, Clone, Copy)]
 pub struct Job<R> {
-    /// Its number in the queue.
+    /// The number of the cell in the queue.
     pub number: usize,
-    /// Its numbers.
+    /// The numbers of the cell.
     pub cell: Cell<R>,
-    /// Its state when it began, and when it is done.
+    /// The state of the cell at its begin, and later at its end.
     pub state: State<R>,
 }
 
-/// The source of the lanes' cells, and the receiver of the ended ones.
+/// The source of the cells of the lanes, and the receiver of cells that have ended.
 pub trait Feed<R> {
     /// The next cell, if there is one.
     fn next(&mut self) -> Option<Job<R>>;
@@ -36,7 +36,7 @@ pub trait Feed<R> {
     /// Takes a cell that has ended.
     fn done(&mut self, job: &Job<R>);
 
-    /// The next cell that has anything left to run.
+    /// The next cell that is not at its end.
     #[inline(always)]
     fn next_running(&mut self) -> Option<Job<R>> {
         loop {
@@ -48,37 +48,37 @@ pub trait Feed<R> {
         }
     }
 
-    /// True when cells that run are to be left as they are, and no more are to come.
+    /// True when the running cells are to stay as they are, and no more cells are to come.
     fn cancelled(&self) -> bool {
         false
     }
 }
 
-/// Turns between two questions whether to go on: some milliseconds.
+/// The number of turns between two calls of `cancelled`: they take some milliseconds.
 pub(super) const TURNS: u32 = 1 << 12;
 
 /// The part of a lane that is not in vectors.
 pub(super) struct Lane<R> {
     pub job: Job<R>,
-    /// First step of its forcing segment.
+    /// The first step of the forcing segment of the lane.
     pub first_step: u32,
-    /// First sample of the next gap of its record.
+    /// The first sample of the next gap of its record.
     pub next_sample: u32,
 }
 
-/// What all cells of a sweep share.
+/// The data that all cells of a sweep share.
 #[derive(Clone, Copy)]
 pub struct Shared<'a, R> {
-    /// What is switched on.
+    /// The options of the model that are on.
     pub variant: Variant,
-    /// The bodies, a block and its base each, by the cells' numbers of them: one at least.
+    /// The bodies, each a block and its base, by the numbers that the cells have of them; one at least.
     pub models: &'a [Model<R>],
     /// The record.
     pub record: &'a [Ground<R>],
 }
 
 impl<'a, R: Number> Shared<'a, R> {
-    /// A cell's equations.
+    /// The equations of a cell.
     #[inline(always)]
     pub(super) fn equations<'b>(&self, cell: &'b Cell<R>) -> CellEquations<'b, R>
     where
@@ -89,37 +89,37 @@ impl<'a, R: Number> Shared<'a, R> {
     }
 }
 
-/// As many cells as a vector has lanes, each at its own time in its own step.
+/// As many cells as a vector has lanes. Each cell is at its own time in its own step.
 pub struct Lanes<'a, V: Vector, L = ()> {
     pub(super) shared: Shared<'a, V::Element>,
     pub(super) lanes: Vec<Lane<V::Element>>,
-    /// Lanes that have a cell, a bit each.
+    /// The lanes that have a cell, one bit each.
     pub(super) running: u64,
     pub(super) model: Model<V>,
-    /// Number of the body that each lane of `model` holds.
+    /// The number of the body that each lane of `model` holds.
     bodies: Vec<u32>,
     pub(super) cell: Cell<V>,
     pub(super) corner: Corner<V>,
-    /// Lanes whose block rocks.
+    /// The lanes whose block rocks.
     pub(super) rocking: V::Mask,
-    /// Lanes whose block has lifted from full contact.
+    /// The lanes whose block has lifted from full contact.
     pub(super) lifted: V::Mask,
     pub(super) forcing: Forcing<V>,
-    /// The motion where the span begins.
+    /// The motion at the start of the span.
     pub(super) y: Motion<V>,
-    /// The side on which the base is against its end stop where the span begins.
+    /// The side on which the base is against its end stop at the start of the span.
     pub(super) stop: V,
-    /// Fraction of the step already done.
+    /// The fraction of the step that is done.
     pub(super) start: V,
-    /// Fraction of the step that is looked at.
+    /// The length of the span, as a fraction of the step.
     pub(super) span: V,
     /// The span ends before the step does.
     pub(super) cut: V::Mask,
-    /// Switches and kinks in the step so far.
+    /// The number of switches and kinks in the step so far.
     pub(super) events: V,
-    /// Impacts so far.
+    /// The number of impacts so far.
     pub(super) impacts: V,
-    /// Steps since a block in full contact was last tried by the certificate.
+    /// The number of steps since the certificate last tried the block in full contact.
     pub(super) steps_since_check: V,
     pub(super) search: Search<V>,
     pub(super) extremes: Extremes<V>,
@@ -127,7 +127,7 @@ pub struct Lanes<'a, V: Vector, L = ()> {
     pub log: L,
 }
 
-/// The lanes of a mask's bits.
+/// The mask of the lanes of these bits.
 #[inline(always)]
 pub fn each(mut bits: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
@@ -141,7 +141,7 @@ pub fn each(mut bits: u64) -> impl Iterator<Item = usize> {
 }
 
 impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
-    /// Lanes without cells; `zero` gives the kind of vector; `log` receives the switches.
+    /// Lanes without cells; `zero` selects the kind of vector, and `log` receives the switches.
     #[inline(always)]
     pub fn new(shared: Shared<'a, V::Element>, zero: V, log: L) -> Lanes<'a, V, L> {
         let one = &shared.models[0];
@@ -176,8 +176,8 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         }
     }
 
-    /// A turn of all lanes: the lanes whose cell has ended, a bit each. Compiled once for a kind of vector and a
-    /// listener.
+    /// A turn of all lanes. The result is the lanes whose cell has ended, one bit each. The function is compiled once
+    /// for each kind of vector and listener.
     #[inline(never)]
     pub fn advance(&mut self) -> u64 {
         self.start.with(
@@ -186,25 +186,25 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         )
     }
 
-    /// Takes the cells off lanes.
+    /// Removes the cells from lanes.
     #[inline(always)]
     pub fn leave_off(&mut self, bits: u64) {
         self.running &= !bits;
     }
 
-    /// Only these lanes go on, each of which has a cell; the others wait, between two steps.
+    /// Lets only these lanes continue, each of which has a cell; the others wait between two steps.
     #[inline(always)]
     pub fn run_only(&mut self, bits: u64) {
         self.running = bits;
     }
 
-    /// Lanes that have a cell, a bit each.
+    /// The lanes that have a cell, one bit each.
     #[inline(always)]
     pub fn running(&self) -> u64 {
         self.running
     }
 
-    /// Lanes whose cell is between two steps, nothing searched for.
+    /// The lanes whose cell is between two steps and searches for no guard.
     #[inline(always)]
     pub fn between_steps(&self) -> V::Mask {
         let zero = self.start.like(0.0);
@@ -212,33 +212,33 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         zero.ge(self.start) & !busy & self.start.mask(self.running)
     }
 
-    /// Lanes at the start or the end of their forcing segment.
+    /// The lanes at the start or at the end of their forcing segment.
     #[inline(always)]
     pub fn between_segments(&self) -> V::Mask {
         let Forcing { done, steps, .. } = &self.forcing;
         self.start.like(0.0).ge(*done) | done.ge(*steps)
     }
 
-    /// The contact force of full contact where each lane is.
+    /// The contact force of full contact at the motion of each lane.
     #[inline(always)]
     pub fn contact(&self) -> Contact<V> {
         let base = support(&self.equations(), &self.y, self.ground(self.start));
         Contact { shear: base.f_h, normal: base.f_v }
     }
 
-    /// The ground at a fraction of each lane's step.
+    /// The acceleration of the ground at a fraction of the step of each lane.
     #[inline(always)]
     pub fn ground(&self, fraction: V) -> Ground<V> {
         self.forcing.ground(self.shared.variant, &self.cell, fraction)
     }
 
-    /// Steps may be cut at kinks of the Bouc-Wen law.
+    /// True where steps may be cut at kinks of the Bouc-Wen law.
     #[inline(always)]
     pub fn has_kinks(&self) -> bool {
         self.shared.variant.kinks
     }
 
-    /// The length of each lane's step, s.
+    /// The length of the step of each lane, s.
     #[inline(always)]
     pub fn step_length(&self) -> V {
         self.forcing.step
@@ -250,13 +250,13 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         rates(&self.equations(), &self.corner, self.start.mask(0), motion, ground)
     }
 
-    /// The motion where each lane is.
+    /// The motion of each lane.
     #[inline(always)]
     pub fn motion(&self) -> &Motion<V> {
         &self.y
     }
 
-    /// What each lane has had so far.
+    /// The largest and least values of each lane so far.
     #[inline(always)]
     pub fn extremes(&self) -> &Extremes<V> {
         &self.extremes
@@ -296,13 +296,13 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         }
     }
 
-    /// Lanes under no excitation any more.
+    /// The lanes whose excitation is over.
     #[inline(always)]
     pub(super) fn free(&self) -> V::Mask {
         self.start.mask(!self.forcing.forced)
     }
 
-    /// Gives a lane the next cell that has anything left to run.
+    /// Gives a lane the next cell that is not at its end.
     #[inline(never)]
     fn fill(&mut self, lane: usize, feed: &mut impl Feed<V::Element>) {
         self.start.with(
@@ -351,7 +351,7 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         self.search.stop(bit);
     }
 
-    /// Takes a lane's motion and phase from its state.
+    /// Reads the motion and the phase of a lane from its state.
     #[inline(always)]
     pub(super) fn enter(&mut self, lane: usize) {
         let state = &self.lanes[lane].job.state;
@@ -370,13 +370,13 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         }
     }
 
-    /// Writes a lane's motion, phase and time to its state.
+    /// Writes the motion, the phase and the time of a lane to its state.
     #[inline(always)]
     pub(super) fn leave(&mut self, lane: usize) {
         let step = self.step(lane);
         let rocking = V::bits(self.rocking) >> lane & 1 == 1;
         let left = self.corner.side.lane(lane) > V::Element::of(0.0);
-        // Whole numbers, far below 2^32.
+        // These are whole numbers far below 2^32.
         let impacts = self.impacts.lane(lane).to_f64() as u32;
         let state = &mut self.lanes[lane].job.state;
         for (to, from) in state.motion.reals_mut().into_iter().zip(self.y.reals_ref()) {
@@ -390,7 +390,7 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         (state.step, state.impacts) = (step, impacts);
     }
 
-    /// Writes a lane's numbers to its state.
+    /// Writes the numbers of a lane to its state.
     #[inline(always)]
     pub(super) fn store(&mut self, lane: usize) {
         self.leave(lane);
@@ -398,7 +398,7 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         self.lanes[lane].job.state.set_extremes(&extremes);
     }
 
-    /// Takes a lane's cell off it.
+    /// Removes the cell from a lane.
     #[inline(never)]
     pub(super) fn take(&mut self, lane: usize) -> Job<V::Element> {
         self.start.with(
@@ -414,19 +414,20 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         )
     }
 
-    /// The step that a lane is in.
+    /// The step in which a lane is.
     #[inline(always)]
     pub(super) fn step(&self, lane: usize) -> u32 {
-        // A whole number of steps in a segment, below its most.
+        // The number of steps in a segment is a whole number below its limit.
         self.lanes[lane].first_step + self.forcing.done.lane(lane).to_f64() as u32
     }
 
-    /// Puts a lane on the forcing segment of a step, which `follows` one of the same cell or is its first.
+    /// Puts a lane on the forcing segment of a step. The segment `follows` one of the same cell, or is the first of
+    /// its cell.
     #[inline(always)]
     pub(super) fn begin_segment(&mut self, lane: usize, step: u32, follows: bool) {
         let set = self.shared.equations(&self.lanes[lane].job.cell);
         let first = self.forcing.begin(lane, &set, step, follows);
-        // A cell that shares its full contact may begin between two tries.
+        // A cell that shares its full contact may begin between two tries of the certificate.
         let since_check = step.saturating_sub(set.cell.steps_forced) % STEPS_A_TRY;
         self.steps_since_check.put(lane, V::Element::of(f64::from(since_check)));
         let lane = &mut self.lanes[lane];
@@ -434,8 +435,8 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         lane.first_step = first;
     }
 
-    /// Lanes that are through a step go on to the next gap of their record, if they are at the end of one; those that
-    /// are at another end of their segment.
+    /// Lanes that have finished a step continue with the next gap of their record, if they are at the end of a gap.
+    /// The result is the lanes that are at another end of their segment.
     #[inline(always)]
     pub(super) fn end_gaps(&mut self, through: V::Mask) -> V::Mask {
         let left = through & self.forcing.done.ge(self.forcing.steps);
@@ -447,7 +448,7 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
         left & !follows
     }
 
-    /// Puts lanes on the next gap of their record, and fetches the one after.
+    /// Puts lanes on the next gap of their record, and reads the one after it.
     #[inline(always)]
     fn follow(&mut self, lanes: V::Mask) {
         self.forcing.follow(lanes, &self.cell);

@@ -9,20 +9,19 @@ use crate::model::layout::pod;
 use crate::model::motion::Motion;
 use crate::model::real::{Real, Vector};
 
-/// The observer of a cell's switches.
+/// The observer of the switches of a cell.
 pub trait Log<R> {
-    /// A switch of `kind` has just happened in `state.step`, `fraction` into the step;
-    /// `state.motion` and `state.mode` are those after it. The state's largest and least values may
-    /// be older.
+    /// A switch of `kind` has just happened in `state.step`, at `fraction` of the step; `state.motion` and
+    /// `state.mode` are the values after it. The largest and least values of the state may be older.
     fn switched(&mut self, kind: u32, fraction: R, state: &State<R>);
 }
 
-/// An observer that keeps nothing.
+/// An observer that records nothing.
 impl<R> Log<R> for () {
     fn switched(&mut self, _: u32, _: R, _: &State<R>) {}
 }
 
-/// Whether lanes have an observer, known when they are compiled.
+/// Tells at compile time whether lanes have an observer.
 pub trait Listener<V: Vector> {
     /// Whether it records switches.
     const EVENTS: bool = false;
@@ -33,8 +32,8 @@ pub trait Listener<V: Vector> {
     /// See [`Log::switched`].
     fn hear(&mut self, _: u32, _: V::Element, _: &State<V::Element>) {}
 
-    /// Some lanes have moved on by a span, a step or a part of one: the contact forces at its start, in its
-    /// middle and at its end.
+    /// Some lanes have advanced by a span, a step or a part of one; the arguments are the contact forces at its
+    /// start, in its middle and at its end.
     fn feel(&mut self, _: V::Mask, _: [Contact<V>; 3]) {}
 }
 
@@ -49,27 +48,27 @@ impl<R: Real> Listener<R> for &mut dyn Log<R> {
     }
 }
 
-/// A switch, and the motion after it; all zero where there was none.
+/// A switch and the motion after it; all numbers are zero where there was none.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Event<R> {
     /// The motion after the switch.
     pub motion: Motion<R>,
-    /// Fraction of its step at which it happened.
+    /// The fraction of its step at which it happened.
     pub fraction: R,
     /// `UPLIFT_LEFT`, `UPLIFT_RIGHT`, `IMPACT`, `OVERTURN`, or `NOTHING`.
     pub kind: u32,
-    /// Its step.
+    /// The step in which it happened.
     pub step: u32,
     /// The phase after it.
     pub mode: u32,
-    /// Fills the struct to whole 8 bytes.
+    /// Padding: the size of the struct is a multiple of 8 bytes.
     pub padding: u32,
 }
 
 pod!(Event, reals: 8, words: 4);
 
-/// Keeps the first switches of a cell, as many as there is place for.
+/// Keeps the first switches of a cell, as many as the vector has elements.
 pub struct FirstSwitches<R>(pub Vec<Event<R>>);
 
 impl<R: Real> Log<R> for FirstSwitches<R> {
@@ -77,7 +76,7 @@ impl<R: Real> Log<R> for FirstSwitches<R> {
         if kind == NOTHING || kind == KINK {
             return;
         }
-        // Uplifts and impacts are counted as they happen, so that the counts number them.
+        // Uplifts and impacts are counted as they happen, so that their counts give the number of this switch.
         let mut number = state.impacts + state.uplifts;
         if kind != OVERTURN {
             number -= 1;

@@ -1,15 +1,14 @@
-//! Integration in time: one fixed-step method at every width, and apart from it the adaptive
-//! [reference](mod@reference).
+//! Integration in time: one method of fixed steps for every width of vector, and the adaptive
+//! [reference](mod@reference), which is separate.
 //!
-//! To be read from the [`turn`] outwards. [`lanes`] hold as many cells as a vector has lanes, a plain
-//! number being a vector of one ([`single`]). In every turn each lane makes one Runge-Kutta trial
-//! ([`rk4`]) over its [`span`], under the ground of its [`forcing`] segment. Where a [guard](guards)
-//! has happened on the way ([`crossing`]), a [`search`] by further trials finds where, starting from a
-//! [`cubic`] through the span's ends; then the phase changes ([`switching`]). [`extremes`] take in
-//! what a span held, the [`certificate`] ends cells of which all is final, and by [`early_rest`] blocks whose
-//! last flights reach nothing new come to rest. Each of these files is
-//! the twin of the shader of its name. Blocks that stand on bases that do not yield have nothing to look
-//! for: a step of theirs is [`standing`]. Under a record the lanes are sorted by [`phases`].
+//! Begin to read at [`turn`]. [`lanes`] hold as many cells as a vector has lanes; a plain number is a vector of one
+//! lane ([`single`]). In every turn each lane makes one Runge-Kutta trial ([`rk4`]) over its [`span`], under the
+//! ground motion of its [`forcing`] segment. If a [guard](guards) has happened in it ([`crossing`]), a [`search`] by
+//! further trials finds its time, starting from a [`cubic`] through the ends of the span; then the phase changes
+//! ([`switching`]). [`extremes`] record the largest and least values of a span, the [`certificate`] ends cells whose
+//! results are all final, and [`early_rest`] brings blocks to rest whose last flights exceed no value so far. Each of
+//! these files is the twin of the shader of its name. Blocks that stand on bases that do not yield have no guard:
+//! their step is [`standing`]. Under a record the lanes are sorted by [`phases`].
 
 pub mod certificate;
 pub(crate) mod crossing;

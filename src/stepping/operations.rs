@@ -1,5 +1,5 @@
-//! What a step costs in operations, counted on the equations themselves: they run on a number that
-//! counts. The shaders are the same statements.
+//! The number of operations of a step. The equations run with a number type that counts its operations; the shaders
+//! have the same statements.
 
 use std::cell::Cell as Counter;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -18,23 +18,23 @@ use crate::model::polynomials::{
     COSINE_F32, COSINE_F64, EXPONENTIAL_F32, EXPONENTIAL_F64, SINE_F32, SINE_F64,
 };
 
-/// Numbers of operations; changes of sign are free.
+/// Counts of operations; changes of sign are not counted.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Operations {
-    /// Sums and differences.
+    /// The number of sums and differences.
     pub sums: u32,
-    /// Products.
+    /// The number of products.
     pub products: u32,
-    /// Products with a sum, where they may be fused.
+    /// The number of products with a sum, which may be fused.
     pub fused: u32,
-    /// Divisions and roots.
+    /// The number of divisions and roots.
     pub divisions: u32,
-    /// Comparisons and choices by them.
+    /// The number of comparisons and of choices by them.
     pub choices: u32,
 }
 
 impl Operations {
-    /// Floating-point operations as peaks count them: a fused one is two.
+    /// The number of floating-point operations as peak rates count them: a fused operation counts as two.
     pub fn flops(&self) -> u32 {
         self.sums + self.products + 2 * self.fused + self.divisions
     }
@@ -52,7 +52,7 @@ fn count(change: impl FnOnce(&mut Operations)) {
     COUNT.set(operations);
 }
 
-/// A number that counts what is done with it; `DOUBLE` for the polynomials of `f64`.
+/// A number that counts the operations with it; `DOUBLE` selects the polynomials of `f64`.
 #[derive(Clone, Copy)]
 struct Counted<const DOUBLE: bool>(f64);
 
@@ -133,8 +133,8 @@ impl<const DOUBLE: bool> Number for Counted<DOUBLE> {
     }
 }
 
-/// The operations of one Runge-Kutta step after the excitation, its four evaluations of the
-/// equations included, without what looks for switches.
+/// The operations of one Runge-Kutta step after the excitation, with its four evaluations of the equations and
+/// without the search for switches.
 pub fn of_step(variant: Variant, rocking: bool, double: bool) -> Operations {
     if double {
         counted_step::<true>(variant, rocking)
@@ -162,14 +162,14 @@ fn counted_step<const DOUBLE: bool>(variant: Variant, rocking: bool) -> Operatio
 mod tests {
     use super::*;
 
-    /// By hand: in full contact, unisolated, a step is four evaluations of two sums (f_v = g plus
-    /// the ground) and the shifts and the sum of seven coordinates.
+    /// Counted by hand: in full contact, without isolation, a step is four evaluations of two sums (f_v = g plus the
+    /// ground), the shifts, and the sum of seven coordinates.
     #[test]
     fn a_step_on_the_ground_counted_by_hand() {
         let variant = Variant::PLAIN;
         let counted = of_step(variant, false, false);
-        // Three shifts of seven, and seven sums of two fused each; h/2 and h/6, and the two contact
-        // forces halfway.
+        // Three shifts of seven coordinates, and seven sums of two fused operations each; h/2 and h/6, and the two
+        // contact forces halfway.
         assert_eq!(counted.fused, 3 * 7 + 7 * 2);
         assert_eq!(counted.sums, 4 + 7 * 2 + 2);
         assert_eq!((counted.products, counted.divisions, counted.choices), (4, 0, 0));

@@ -1,14 +1,15 @@
-//! Two sets of lanes, one for blocks that rock and one for blocks that stand: a turn in which no block rocks costs less
-//! than one in which one does. Under a record most turns are of blocks that stand again. A cell changes its set between
-//! two steps, and has the same result in either.
+//! Two sets of lanes, one for blocks that rock and one for blocks that stand: a turn in which no block rocks costs
+//! less than one in which some block does. Under a record most turns are of blocks that stand again. A cell changes
+//! its set between two steps, and has the same result in either set.
 
 use super::lanes::{Feed, Job, Lanes, Shared, TURNS, each};
 use crate::model::real::{Real, Vector};
 
-/// Turns for which a block has stood when it leaves those that rock: one that lifts again at once would go to and fro.
+/// The number of turns for which a block has stood before it leaves the set of rocking blocks: a block that lifts
+/// again at once would change its set too often.
 const STOOD: f64 = 32.0;
 
-/// Lanes, the cells that wait for one, and for how many turns the block of each lane has not rocked.
+/// Lanes, the cells that wait for one, and the number of turns for which the block of each lane has not rocked.
 struct Set<'a, V: Vector> {
     lanes: Lanes<'a, V>,
     waiting: Vec<Job<V::Element>>,
@@ -25,7 +26,7 @@ impl<'a, V: Vector> Set<'a, V> {
         self.lanes.running().count_ones() as usize == V::LANES
     }
 
-    /// Cells on its lanes, and those that wait.
+    /// The number of cells on its lanes and of those that wait.
     fn cells(&self) -> usize {
         self.lanes.running().count_ones() as usize + self.waiting.len()
     }
@@ -34,7 +35,7 @@ impl<'a, V: Vector> Set<'a, V> {
         self.lanes.running() == 0
     }
 
-    /// Gives lanes without a cell those that wait.
+    /// Gives the waiting cells to lanes without a cell.
     #[inline(always)]
     fn fill(&mut self) {
         while !self.is_full()
@@ -46,7 +47,7 @@ impl<'a, V: Vector> Set<'a, V> {
         }
     }
 
-    /// A turn of all lanes, and the cells that have ended.
+    /// A turn of all lanes. The result is the cells that have ended.
     #[inline(always)]
     fn turn(&mut self, feed: &mut impl Feed<V::Element>) {
         for lane in each(self.lanes.advance()) {
@@ -54,8 +55,8 @@ impl<'a, V: Vector> Set<'a, V> {
         }
     }
 
-    /// Takes the cells off some lanes that are at the start of a step under excitation, before any switch: what a lane knows
-    /// beside its state begins anew with a step there.
+    /// Removes the cells from some lanes that are at the start of a step under excitation, before any switch: there
+    /// the data of a lane that are not part of its state are at their initial values.
     #[inline(always)]
     fn part(&mut self, lanes: V::Mask, to: &mut Vec<Job<V::Element>>) {
         let unswitched = self.stood.like(0.0).ge(self.lanes.events);
@@ -63,7 +64,7 @@ impl<'a, V: Vector> Set<'a, V> {
         to.extend(each(lanes & self.lanes.forcing.forced).map(|lane| self.lanes.take(lane)));
     }
 
-    /// Lanes whose block has stood for long.
+    /// The lanes whose block has stood for long.
     #[inline(always)]
     fn has_stood(&mut self) -> V::Mask {
         let stands = !self.lanes.rocking;
@@ -80,13 +81,13 @@ pub struct Phases<'a, V: Vector> {
 }
 
 impl<'a, V: Vector> Phases<'a, V> {
-    /// Lanes without cells; `zero` gives the kind of vector.
+    /// Lanes without cells; `zero` selects the kind of vector.
     #[inline(always)]
     pub fn new(shared: Shared<'a, V::Element>, zero: V) -> Phases<'a, V> {
         Phases { rocking: Set::new(shared, zero), standing: Set::new(shared, zero) }
     }
 
-    /// Runs all cells of a feed. They begin among the rocking blocks, where they soon lift or leave.
+    /// Runs all cells of a feed. They begin in the set of rocking blocks, where they soon lift or which they leave.
     #[inline(always)]
     pub fn run(&mut self, feed: &mut impl Feed<V::Element>) {
         let Phases { rocking, standing } = self;
@@ -108,8 +109,8 @@ impl<'a, V: Vector> Phases<'a, V> {
             if turns.is_multiple_of(TURNS) && feed.cancelled() {
                 return;
             }
-            // While there are more cells, standing blocks wait until all lanes have one. The last cells wait for nothing, and
-            // come together when one set has lanes for all of them.
+            // While there are more cells, standing blocks wait until all lanes have one. The last cells do not wait,
+            // and are joined when one set has lanes for all of them.
             let together = !more && rocking.cells() + standing.cells() <= V::LANES;
             let stand = standing.is_full() || (!more && !standing.is_empty());
             if stand {

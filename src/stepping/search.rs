@@ -1,5 +1,5 @@
-//! The search for the root of each lane's guard in its span, one trial of every lane at a time: Newton's
-//! method inside a bracket, started at the root of the cubic through the span's ends. Twin of
+//! The search for the root of the guard of each lane in its span, one trial of every lane at a time: the method of
+//! Newton inside a bracket, started at the root of the cubic through the ends of the span. Twin of
 //! `shaders/search.wgsl`.
 
 use crate::model::number::Number;
@@ -8,26 +8,26 @@ use crate::model::real::Vector;
 use super::cubic::Cubic;
 use super::guards::{GuardSample, LOCATE_BOUND, Sought};
 
-/// Lanes whose search is over.
+/// The lanes whose search is over.
 pub struct Arrived<V: Vector> {
-    /// Lanes whose root is found.
+    /// The lanes whose root is found.
     pub lanes: V::Mask,
-    /// How far before the trial's end the guard is, a fraction of the span: near enough to step back
-    /// along the rates. Zero in all other lanes.
+    /// The distance of the root before the end of the trial, as a fraction of the span: it is small enough to step
+    /// back along the rates. Zero in all other lanes.
     pub back: V,
 }
 
-/// How far before a trial's end an angle passed its target, and the error of that distance; fractions of
-/// the trial's span.
+/// The distance before the end of a trial at which an angle passed its target, and the error of that distance, as
+/// fractions of the span of the trial.
 pub struct StepBack<N> {
-    /// The way back.
+    /// The distance to step back.
     pub back: N,
-    /// A bound on the terms of third order that the way back neglects.
+    /// A bound on the terms of third order that this distance neglects.
     pub error: N,
 }
 
-/// The way back along the parabola that has the angle's value, slope and bend at a trial's end;
-/// `bend_before` is its bend at the trial's start.
+/// The distance to step back along the parabola that has the value, the slope and the bend of the angle at the end of
+/// a trial; `bend_before` is the bend at the start of the trial.
 #[inline(always)]
 fn step_back<N: Number>(end: &GuardSample<N>, per_slope: N, bend_before: N) -> StepBack<N> {
     let (half, sixth) = (per_slope.like(0.5), per_slope.like(1.0 / 6.0));
@@ -39,18 +39,19 @@ fn step_back<N: Number>(end: &GuardSample<N>, per_slope: N, bend_before: N) -> S
     StepBack { back: first + second, error: first.abs() * third }
 }
 
-/// How far each lane's guard is from its trial's end.
+/// The distance of the guard of each lane from the end of its trial.
 pub struct RootDistance<V: Vector> {
-    /// The guard's slope is not zero. Where it is zero no division by it is done: devices differ in NaN.
+    /// True where the slope of the guard is not zero. Where it is zero there is no division by it, because devices
+    /// differ in NaN.
     pub steep: V::Mask,
     /// One over the slope.
     per_slope: V,
-    /// Of an angle.
+    /// The distance to step back, for an angle.
     pub way: StepBack<V>,
 }
 
 impl<V: Vector> RootDistance<V> {
-    /// No distance.
+    /// No distance in any lane.
     #[inline(always)]
     pub fn none(zero: V) -> RootDistance<V> {
         RootDistance {
@@ -63,21 +64,21 @@ impl<V: Vector> RootDistance<V> {
 
 /// The searches of all lanes.
 pub struct Search<V: Vector> {
-    /// What each lane searches for.
+    /// The guard that each lane searches for.
     pub sought: Sought<V>,
-    /// Lanes whose search found no root; their next trial takes the whole span.
+    /// The lanes whose search found no root; their next trial covers the whole span.
     pub again: V::Mask,
-    /// Where to try next, a fraction of the span.
+    /// The place of the next trial, as a fraction of the span.
     pub at: V,
-    /// The guard is beyond `low`, and not beyond `high`.
+    /// The bracket: the guard happens after `low`, and not after `high`.
     low: V,
     high: V,
-    /// A trial that ended at `high` showed that the guard has happened there.
+    /// True where a trial that ended at `high` showed that the guard has happened there.
     verified: V::Mask,
     /// The next trial is the last.
     last: V::Mask,
     tries: V,
-    /// The trial before, for the slope of an uplift moment.
+    /// The previous trial, for the slope of an uplift moment.
     before: V,
     value_before: V,
     slope: V,
@@ -103,7 +104,7 @@ impl<V: Vector> Search<V> {
         }
     }
 
-    /// Begins the searches of lanes whose span holds a guard that has happened at `upper`, its end
+    /// Begins the searches of lanes whose span has a guard that has happened at `upper`. This is the end of the span,
     /// unless the guard happens and is undone inside it.
     #[inline(always)]
     pub fn begin(&mut self, found: &Sought<V>, cubic: &Cubic<V>, upper: V) {
@@ -129,16 +130,16 @@ impl<V: Vector> Search<V> {
         self.again = self.again & !lanes;
     }
 
-    /// How far past the root the next trial aims, so that it ends beyond it. Zero for angles: the way
-    /// back sets them to their target exactly.
+    /// The distance beyond the root at which the next trial aims, so that it ends beyond the root. Zero for angles:
+    /// the step back sets them exactly to their target.
     #[inline(always)]
     fn aim(&self) -> V {
         let (zero, half) = (self.at.like(0.0), self.at.like(0.5));
         V::select(self.sought.angle(), zero, half * self.sought.tolerance(zero))
     }
 
-    /// How far the guards at the ends of the trials are; `bend_before` is an angle's bend at a
-    /// trial's start. An uplift moment's slope is the secant from the trial before.
+    /// The distances of the guards from the ends of the trials; `bend_before` is the bend of an angle at the start of
+    /// a trial. The slope of an uplift moment is the secant from the previous trial.
     #[inline(always)]
     pub fn reach(&self, end: &GuardSample<V>, bend_before: V) -> RootDistance<V> {
         let (zero, one) = (end.value.like(0.0), end.value.like(1.0));
@@ -151,7 +152,7 @@ impl<V: Vector> Search<V> {
         RootDistance { steep, per_slope, way: step_back(end, per_slope, bend_before) }
     }
 
-    /// Narrows the bracket by the result of the trial at `at`.
+    /// Narrows the bracket with the result of the trial at `at`.
     #[inline(always)]
     pub fn narrow(&mut self, found: GuardSample<V>, reach: &RootDistance<V>) -> Arrived<V> {
         let (zero, one, half) =
@@ -166,13 +167,13 @@ impl<V: Vector> Search<V> {
         self.value_before = found.value;
         self.tries = self.tries + one;
         let beyond = found.value.gt(zero);
-        // The next trial aims past the root by the value's rounding error; a value within twice that
-        // error counts as found.
+        // The next trial aims beyond the root by the rounding error of the value; a value within twice that error
+        // counts as found.
         let rounding = found.rounding;
         let change = V::select(angle, way.back, (found.value - rounding) * per_slope);
         let off = (found.value.abs() - rounding - rounding) * per_slope.abs();
         let near = steep & tolerance.ge(V::select(angle, way.error, off));
-        // A guard that has not happened at the upper end of its bracket does not happen.
+        // A guard that has not happened at the upper end of its bracket does not happen at all.
         let nothing = seeking & !self.verified & !beyond & at.ge(self.high);
         let done = seeking & ((near & (beyond | angle)) | self.last) & !nothing;
         self.high = V::select(beyond, at, self.high);

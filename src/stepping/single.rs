@@ -1,4 +1,4 @@
-//! One cell by itself: vectors of one lane.
+//! One cell by itself, on vectors of one lane.
 
 use crate::model::CellEquations;
 use crate::model::excitation::Cell;
@@ -14,7 +14,7 @@ pub struct Single<'a, R: Real> {
 }
 
 impl<'a, R: Real> Single<'a, R> {
-    /// A cell at a state; `log` hears of its switches.
+    /// A cell at a state; `log` is told of its switches.
     pub fn new(
         set: &CellEquations<'a, R>,
         state: &State<R>,
@@ -24,7 +24,7 @@ impl<'a, R: Real> Single<'a, R> {
         let shared = Shared { variant: set.variant, models, record: set.record };
         let mut lanes = Lanes::new(shared, R::of(0.0), log);
         if state.status == RUNNING {
-            // The one body that there is.
+            // There is only one body.
             let cell = Cell { body: 0, ..*set.cell };
             lanes.load(0, Job { number: 0, cell, state: *state });
         } else {
@@ -33,7 +33,7 @@ impl<'a, R: Real> Single<'a, R> {
         Single { lanes }
     }
 
-    /// One turn; false where the cell has ended. Compiled once for a number type.
+    /// One turn; false where the cell has ended. The function is compiled once for a number type.
     #[inline(never)]
     fn turn(&mut self) -> bool {
         if self.lanes.running != 0 && self.lanes.turn() != 0 {
@@ -43,7 +43,7 @@ impl<'a, R: Real> Single<'a, R> {
         self.lanes.running != 0
     }
 
-    /// Takes the cell over the rest of its step, to its start at a boundary; false where it has
+    /// Takes the cell over the rest of its step, or to the start of the step at a boundary; false where the cell has
     /// ended.
     pub fn step(&mut self) -> bool {
         if self.lanes.running == 0 {
@@ -58,7 +58,7 @@ impl<'a, R: Real> Single<'a, R> {
         false
     }
 
-    /// The state so far.
+    /// The present state.
     pub fn state(&mut self) -> State<R> {
         if self.lanes.running != 0 {
             self.lanes.store(0);
@@ -66,14 +66,14 @@ impl<'a, R: Real> Single<'a, R> {
         self.lanes.lanes[0].job.state
     }
 
-    /// Takes the cell to its end.
+    /// Integrates the cell to its end.
     pub fn finish(mut self) -> State<R> {
         while self.turn() {}
         self.state()
     }
 }
 
-/// A cell from a state to its end.
+/// Integrates a cell from a state to its end.
 pub fn run<'a, R: Real>(
     set: &CellEquations<'a, R>,
     state: &State<R>,

@@ -1,5 +1,5 @@
-//! The end of a span before any root search: the end of the step, the limit of stability, or an impact to
-//! come. Twin of `shaders/span.wgsl`.
+//! The end of a span before any search for a root: the end of the step, the limit of stability, or an estimated
+//! impact. Twin of `shaders/span.wgsl`.
 
 use crate::model::dynamics::Rates;
 use crate::model::real::Vector;
@@ -10,16 +10,17 @@ use super::log::Listener;
 /// The longest span over the relaxation time u_y/(n |u'|) of z in (11): RK4 is stable up to 2.79.
 pub const YIELD_LIMIT: f64 = 2.0;
 
-/// The longest span against an end stop, or on a spring that hardens, times the rate of the motion there: 63 of a period.
+/// The longest span against an end stop, or on a spring that hardens, times the rate of the motion there: 63 spans in
+/// a period.
 pub const STIFF_LIMIT: f64 = 0.1;
 
-/// A span that is cut for an impact is longer by this share than the estimated time to the impact, so
-/// that the impact is inside it: the estimate's error is mostly less.
+/// The share by which a span that is cut for an impact is longer than the estimated time to the impact, so that the
+/// impact is inside it: the error of the estimate is mostly smaller.
 pub const BEYOND: f64 = 5.0e-4;
 
 impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
-    /// Begins spans: the rest of the step. A span ends earlier where RK4 would not be stable for z, and
-    /// where the block lands by an estimate from its rates.
+    /// Begins spans with the rest of the step. A span ends earlier where RK4 would be unstable for z, and where the
+    /// block lands by an estimate from its rates.
     #[inline(always)]
     pub(super) fn begin_spans(&mut self, whole: V::Mask, k1: &Rates<V>) {
         let (zero, one) = (self.start.like(0.0), self.start.like(1.0));
@@ -30,7 +31,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         self.cut = self.cut & !whole;
         let variant = self.shared.variant;
         if variant.devices {
-            // The rate of the fastest motion: against the stop, or on the spring where it is hardest.
+            // The rate of the fastest motion: against the stop, or on the spring at its largest stiffness.
             let mut rate = zero;
             if variant.stops {
                 rate = self.cell.stop_rate * self.stop.abs();
@@ -59,7 +60,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
                 self.cut = self.cut | long;
             }
         }
-        // phi + d s + a s^2/2 after the fraction s of a step.
+        // The angle is phi + d s + a s^2/2 after the fraction s of a step.
         let side = self.corner.side;
         let phi = side * self.y.phi;
         let d = side * self.y.dphi * step;

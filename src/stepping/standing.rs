@@ -1,5 +1,5 @@
-//! A step of blocks that stand, on bases that do not yield: no guard can happen, so that no root is searched for. The
-//! same result as a [`turn`](super::turn) at less cost.
+//! A step of blocks that stand on bases that do not yield: no guard can happen, so that there is no search for a
+//! root. The result is the same as that of a [`turn`](super::turn), at a lower cost.
 
 use super::lanes::Lanes;
 use super::log::Listener;
@@ -11,8 +11,8 @@ use crate::model::isolation::support;
 use crate::model::real::Vector;
 
 impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
-    /// Every lane, which must be between two steps under excitation, takes a step; the lanes whose cell has ended, a bit
-    /// each.
+    /// Takes a step in every lane; all lanes must be between two steps under excitation. The result is the lanes
+    /// whose cell has ended, one bit each.
     #[inline(never)]
     pub fn stand(&mut self) -> u64 {
         self.start.with(

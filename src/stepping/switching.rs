@@ -1,5 +1,5 @@
-//! What happens at a switch: uplift, impact, rest, overturning, and the ends of segments and cells.
-//! Impacts are computed for all lanes at once; the others, which are rare, one lane at a time. Twin of
+//! The change of the phase at a switch: uplift, impact, rest, overturning, and the ends of segments and cells.
+//! Impacts are computed for all lanes at once; the other switches, which are rare, one lane at a time. Twin of
 //! `shaders/switching.wgsl`.
 
 use crate::model::CellEquations;
@@ -25,7 +25,7 @@ fn select_corner<V: Vector>(mask: V::Mask, yes: &Corner<V>, no: &Corner<V>) -> C
 }
 
 impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
-    /// The blocks of some lanes lift, about the left corner or the right.
+    /// The blocks of some lanes lift about the left or the right corner.
     #[inline(never)]
     pub(super) fn lift(&mut self, bits: u64, to_left: u64) {
         self.start.with(
@@ -53,8 +53,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         }
     }
 
-    /// The blocks of the landing lanes turn about their other corner; returns the lanes whose block may
-    /// come to rest instead, a bit each.
+    /// The blocks of the landing lanes turn about their other corner. Returns the lanes whose block may come to rest
+    /// instead, one bit each.
     #[inline(always)]
     pub(super) fn bounce(&mut self, lands: V::Mask) -> u64 {
         let (zero, one) = (self.start.like(0.0), self.start.like(1.0));
@@ -75,8 +75,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         V::bits(lands & !rebounds)
     }
 
-    /// Blocks of slow lanes come to rest or go on rocking; blocks of other lanes overturn. Returns the
-    /// lanes whose cell has ended.
+    /// Blocks of slow lanes come to rest or continue to rock; blocks of other lanes overturn. Returns the lanes whose
+    /// cell has ended.
     #[inline(never)]
     pub(super) fn settle(&mut self, slow: u64, over: u64) -> u64 {
         self.start.with(
@@ -105,9 +105,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         over
     }
 
-    /// A block that lands too slowly to lift again comes to rest on both corners, unless the contact
-    /// force lifts it there. Where the law of impact leaves no rebound (eta_phi <= 0) it always comes to
-    /// rest.
+    /// A block that lands too slowly to lift again comes to rest on both corners, unless the contact force lifts it
+    /// there. Where the law of impact gives no rebound (eta_phi <= 0) it always comes to rest.
     #[inline(always)]
     fn land(&mut self, lane: usize) {
         let zero = V::Element::of(0.0);
@@ -134,7 +133,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         state.mode = FULL_CONTACT;
     }
 
-    /// The lanes of `tried` whose cell is final.
+    /// The lanes of `tried` whose results are final.
     #[inline(always)]
     pub(super) fn is_final(&self, tried: V::Mask) -> V::Mask {
         let set = self.equations();
@@ -149,7 +148,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         )
     }
 
-    /// Blocks of `landed` lanes, which have just had an impact, come to rest where flights to come change nothing.
+    /// Blocks of `landed` lanes, which have just had an impact, come to rest where their later flights change no
+    /// result.
     #[inline(always)]
     pub(super) fn rest_early(&mut self, landed: V::Mask) {
         if !V::any(landed) {
@@ -162,8 +162,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         self.rocking = self.rocking & !rests;
     }
 
-    /// Ends forcing segments, and cells that are done, proved final, out of range, or switch too often in
-    /// a step; returns the lanes whose cell ended.
+    /// Ends forcing segments, and cells that are at their end, proved final, out of range, or have too many switches
+    /// in a step. Returns the lanes whose cell ended.
     #[inline(never)]
     pub(super) fn end_segments_and_cells(
         &mut self,
@@ -204,7 +204,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         ended
     }
 
-    /// Tells the log of a switch that has just happened in a lane.
+    /// Tells the log that a switch has just happened in a lane.
     #[inline(always)]
     fn tell(&mut self, lane: usize, kind: u32) {
         if L::EVENTS {
@@ -213,7 +213,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         }
     }
 
-    /// Tells the log of steps cut at kinks.
+    /// Tells the log of the steps that are cut at kinks.
     pub(super) fn tell_cuts(&mut self, bits: u64) {
         for lane in each(bits & self.running) {
             self.leave(lane);

@@ -8,6 +8,8 @@ use std::sync::OnceLock;
 use anstream::{stderr, stdout};
 use anstyle::{AnsiColor, Style};
 
+use topple::scene::shown::is_hidden;
+
 /// Of names of lines.
 pub const NAME: Style = Style::new().bold();
 /// Of what is right.
@@ -75,13 +77,10 @@ fn said(kind: &str, style: Style, text: &str) {
     let _ = writeln!(stderr(), "{style}topple: {kind}{style:#}{}", shown(text));
 }
 
-/// A text without what a terminal would obey: names of files and lines of theirs may hold anything, such as
-/// escape codes, or marks that turn the direction of writing.
+/// A text without what a terminal would obey and what nobody would see: names of files and lines of theirs may hold anything.
 fn shown(text: &str) -> String {
-    let turns = |c: char| matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    let harmless = |c: char| {
-        if (c.is_control() && c != '\n') || turns(c) { char::REPLACEMENT_CHARACTER } else { c }
-    };
+    let harmless =
+        |c: char| if is_hidden(c) && c != '\n' { char::REPLACEMENT_CHARACTER } else { c };
     text.chars().map(harmless).collect()
 }
 
@@ -92,5 +91,6 @@ mod tests {
     #[test]
     fn nothing_that_a_terminal_obeys_is_shown() {
         assert_eq!(shown("a\u{1b}[31mb\u{202e}c\u{2066}\nd"), "a\u{fffd}[31mb\u{fffd}c\u{fffd}\nd");
+        assert_eq!(shown("a\u{200b}b"), "a\u{fffd}b");
     }
 }

@@ -189,12 +189,9 @@ pub fn count(suite: &Suite, say: &Reporter) {
 /// Says what is in a suite.
 fn tell(suite: &Suite, say: &Reporter) {
     let motions: Vec<_> = suite.motions().collect();
-    let mut recordings: Vec<_> = motions.iter().map(|(entry, _)| entry.recording()).collect();
-    recordings.sort();
-    recordings.dedup();
-    let (motions, recordings) =
-        (counted(motions.len(), "motion"), counted(recordings.len(), "recording"));
-    say.line("suite", format!("{motions} of {recordings}"));
+    let (_, recordings) = suite.recordings();
+    let of = counted(recordings, "recording");
+    say.line("suite", format!("{} of {of}", counted(motions.len(), "motion")));
     let noted = suite.motions().filter(|(entry, _)| !entry.notes.is_empty()).count();
     if noted > 0 {
         say.line(

@@ -14,6 +14,7 @@ use super::asked::SYNTHETIC;
 use super::refused::Refused;
 use topple::scene::excitation::{RecordText, check_record};
 use topple::scene::record::{Pair, Units, synthetic};
+use topple::scene::shown::is_hidden;
 use topple::scene::{Numbers, Parameter, Scene, SceneBuilder, bounded};
 
 /// What a motion that was read hangs on: its files by their names here, what was given of them, and the peak that
@@ -44,7 +45,7 @@ const LONGEST: usize = 200;
 /// The last part of a name that a browser gave, without what a file's name cannot have on some system.
 pub fn plain_name(name: &str) -> String {
     let last = name.rsplit(['/', '\\']).next().unwrap_or_default();
-    let kept = |c: &char| !c.is_control() && !"<>:\"|?*".contains(*c);
+    let kept = |c: &char| !is_hidden(*c) && !"<>:\"|?*".contains(*c);
     let mut plain = String::new();
     for letter in last.chars().filter(kept) {
         if plain.len() + letter.len_utf8() > LONGEST {

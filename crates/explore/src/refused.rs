@@ -5,6 +5,7 @@ use std::io;
 use serde::Serialize;
 
 use topple::scene::SceneError;
+use topple::scene::shown::is_hidden;
 use topple::sweep::error::SweepError;
 use topple_pictures::drawing::error::FigureError;
 use topple_studies::suites::SuiteError;
@@ -39,7 +40,7 @@ fn plain(text: &str) -> String {
             (None, None) => word.into(),
         }
     };
-    let line = text.replace('`', "").replace(char::is_control, " ");
+    let line = text.replace('`', "").replace(is_hidden, " ");
     line.split(' ').map(short).collect::<Vec<String>>().join(" ")
 }
 

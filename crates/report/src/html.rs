@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
+use topple::scene::shown::is_hidden;
 use topple_pictures::drawing::text::{self, Piece as Letters};
 
 use super::CREATOR;
@@ -98,7 +99,7 @@ fn escaped(text: &str) -> String {
             '>' => plain.push_str("&gt;"),
             '"' => plain.push_str("&quot;"),
             '\'' => plain.push_str("&#39;"),
-            c if c.is_control() && c != '\n' => plain.push(char::REPLACEMENT_CHARACTER),
+            c if is_hidden(c) && c != '\n' => plain.push(char::REPLACEMENT_CHARACTER),
             c => plain.push(c),
         }
     }

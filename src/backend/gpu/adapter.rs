@@ -33,7 +33,7 @@ impl AdapterDescription {
     }
 }
 
-/// All adapters that can compute, the most able first: real GPUs before software, then those with f64.
+/// All adapters that can compute, the best first: real GPUs before software, then those with f64.
 pub fn all() -> Vec<Adapter> {
     let Some(instance) = instance() else { return Vec::new() };
     let mut adapters = pollster::block_on(instance.enumerate_adapters(BACKENDS));
@@ -52,7 +52,7 @@ pub fn all() -> Vec<Adapter> {
     adapters
 }
 
-/// Leaves of adapters that are one device the first.
+/// Keeps the first of all adapters that are the same device.
 fn once<T>(adapters: &mut Vec<T>, info: impl Fn(&T) -> AdapterInfo) {
     let mut known: Vec<AdapterInfo> = Vec::with_capacity(adapters.len());
     adapters.retain(|adapter| {
@@ -63,9 +63,10 @@ fn once<T>(adapters: &mut Vec<T>, info: impl Fn(&T) -> AdapterInfo) {
     });
 }
 
-/// True of one device that Vulkan lists twice, which it does where two manifests name one driver. Two cards of one kind
-/// differ in their places on the PCI bus; software has no place there, and the processor is one device whoever asks. The
-/// other interfaces list each device once, and tell no place on the bus, or of cards of one kind that of the first.
+/// True of two adapters that are one device. Vulkan lists a device twice where two manifests name one driver. Two
+/// cards of one kind have different places on the PCI bus. Software has no place there, and the processor is the same
+/// device in each listing. The other interfaces list each device once, and tell either no place on the bus or, for
+/// cards of one kind, the place of the first card.
 fn is_one(one: &AdapterInfo, other: &AdapterInfo) -> bool {
     let told = |info: &AdapterInfo| {
         let AdapterInfo { name, vendor, device, device_pci_bus_id, .. } = info;
@@ -76,7 +77,7 @@ fn is_one(one: &AdapterInfo, other: &AdapterInfo) -> bool {
         && told(one) == told(other)
 }
 
-/// The way to the drivers: none without a Vulkan loader.
+/// The access to the drivers: none without a Vulkan loader.
 ///
 /// No windows of Wayland or X11 are requested of Vulkan. Mesa's layer for choosing a device connects to
 /// the window system of a program that asks for its windows, and libwayland complains on stderr where
@@ -96,20 +97,20 @@ fn instance() -> Option<Instance> {
         telemetry: None,
         display: None,
     };
-    // SAFETY: wgpu-hal wants the list of extensions whole because it uses what is listed. It uses
-    // these three in `create_surface` alone, and only where they are listed; no surface can be made
-    // of this instance, which does not leave this file.
+    // SAFETY: wgpu-hal requires the complete list of extensions because it uses what is listed. It uses these three
+    // in `create_surface` alone, and only where they are listed; no surface can be made of this instance, which does
+    // not leave this file.
     let vulkan = unsafe {
         vulkan::Instance::init_with_callback(
             &descriptor,
             Some(Box::new(|arguments| arguments.extensions.retain(|name| !WINDOWS.contains(name)))),
         )
     };
-    // SAFETY: the instance was made above, and nobody else has it.
+    // SAFETY: the instance was made above, and nothing else refers to it.
     vulkan.ok().map(|vulkan| unsafe { Instance::from_hal::<Vulkan>(vulkan) })
 }
 
-/// The way to the drivers.
+/// The access to the drivers.
 #[cfg(not(any(target_os = "linux", target_os = "freebsd")))]
 fn instance() -> Option<Instance> {
     let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
@@ -117,22 +118,22 @@ fn instance() -> Option<Instance> {
     Some(Instance::new(descriptor))
 }
 
-/// True for a software adapter: the processor computes.
+/// True for a software adapter: it computes on the processor.
 pub fn is_software(adapter: &Adapter) -> bool {
     adapter.get_info().device_type == DeviceType::Cpu
 }
 
-/// The most able adapter.
+/// The best adapter.
 ///
 /// # Errors
 /// Those of [`choose`].
 pub fn best(precision: Precision) -> Result<Adapter, BackendError> {
-    // As many as one, or an error.
+    // The list has one adapter at least, or there is an error.
     Ok(choose(precision, &[])?.swap_remove(0))
 }
 
-/// The adapters to compute on, all of one kind: those of the numbers given, in the order of [`all`],
-/// or else all that are like the most able one. A software adapter is taken if there is no other.
+/// The adapters to compute on, all of one kind: those with the given numbers, in the order of [`all`], or else all
+/// that are like the best one. A software adapter is taken only if there is no other.
 ///
 /// # Errors
 /// [`BackendError::NoAdapter`], [`BackendError::NoSuchAdapter`], [`BackendError::Unlike`], and
@@ -160,14 +161,14 @@ pub fn choose(precision: Precision, numbers: &[usize]) -> Result<Vec<Adapter>, B
     }
 }
 
-/// The real GPUs that compute in a precision, those that are alike together, the most able first.
+/// The real GPUs that compute in a precision, in groups of equal ones, the best first.
 pub fn real_kinds(precision: Precision) -> Vec<Vec<Adapter>> {
     let mut kinds = kinds_of(all(), precision);
     kinds.retain(|kind| !is_software(&kind[0]));
     kinds
 }
 
-/// The adapters that compute in a precision, those that are alike together; no group is empty.
+/// The adapters that compute in a precision, in groups of equal ones; no group is empty.
 fn kinds_of(adapters: Vec<Adapter>, precision: Precision) -> Vec<Vec<Adapter>> {
     let mut kinds: Vec<Vec<Adapter>> = Vec::new();
     for adapter in adapters.into_iter().filter(|adapter| is_able(adapter, precision)) {
@@ -184,7 +185,7 @@ fn is_able(adapter: &Adapter, precision: Precision) -> bool {
     precision == Precision::F32 || adapter.features().contains(Features::SHADER_F64)
 }
 
-/// What is wrong with computing one map on two adapters.
+/// The reason why one map cannot be computed on two adapters.
 fn unlike(one: &Adapter, other: &Adapter) -> Option<BackendError> {
     let (one, other) = (AdapterDescription::of(one), AdapterDescription::of(other));
     let named = |of: AdapterDescription| format!("{} ({}, {})", of.name, of.api, of.driver);
@@ -206,7 +207,7 @@ mod tests {
         }
     }
 
-    /// What is left of adapters, by number.
+    /// The numbers of the adapters that are kept.
     fn left(infos: &[AdapterInfo]) -> Vec<usize> {
         let mut numbers: Vec<usize> = (0..infos.len()).collect();
         once(&mut numbers, |number| infos[*number].clone());
@@ -222,7 +223,7 @@ mod tests {
         let newer = AdapterInfo { driver_info: "Mesa 26".into(), ..software.clone() };
         let all = [&first, &software, &second, &software, &first, &second, &newer];
         assert_eq!(left(&all.map(Clone::clone)), [0, 1, 2, 6]);
-        // Without a place on the bus two of Vulkan are one; other interfaces name each device once.
+        // Two Vulkan adapters without a place on the bus are one device; other interfaces list each device once.
         assert_eq!(left(&[card(Vulkan, "H100", ""), card(Vulkan, "H100", "")]), [0]);
         for (api, pci) in [(Metal, ""), (Dx12, "0000:17:00.0")] {
             assert_eq!(left(&[card(api, "Pro", pci), card(api, "Pro", pci)]), [0, 1]);

@@ -1,5 +1,5 @@
-//! A check of a device that was chosen automatically: it compiles and runs a small shader and compares
-//! its numbers.
+//! A check of a device that was chosen automatically: it compiles and runs a small shader and compares the numbers of
+//! the device with those of the host.
 
 use wgpu::{
     BindGroupDescriptor, BindGroupEntry, BufferDescriptor, BufferUsages, CommandEncoderDescriptor,
@@ -12,10 +12,10 @@ use super::device::OpenDevice;
 use crate::model::precision::Precision;
 use crate::written::Written;
 
-/// Numbers that the pass makes, one a thread.
+/// The number of results of the shader, one from each thread.
 const COUNT: u32 = 64;
 
-/// The check's shader.
+/// The text of the shader.
 pub fn source(precision: Precision) -> String {
     format!(
         "@group(0) @binding(0) var<storage, read_write> numbers: array<f32>;
@@ -29,7 +29,8 @@ pub fn source(precision: Precision) -> String {
 }
 
 impl OpenDevice {
-    /// Runs a shader of a few lines and compares its numbers with the host's: some milliseconds.
+    /// Runs a shader of a few lines and compares its numbers with those of the host. The check takes some
+    /// milliseconds.
     ///
     /// # Errors
     /// [`BackendError::FailedCheck`].
@@ -37,7 +38,7 @@ impl OpenDevice {
         self.check_by(&source(precision))
     }
 
-    /// The check by a shader given as text, such as a broken one.
+    /// The check by a shader given as text, for example a wrong one.
     ///
     /// # Errors
     /// [`BackendError::FailedCheck`].
@@ -57,7 +58,7 @@ impl OpenDevice {
         }
     }
 
-    /// The bytes that the pass left.
+    /// The bytes that the shader has written.
     fn pass(&self, source: &str) -> Result<Vec<u8>, BackendError> {
         let device = &self.device;
         let pipeline = self.checked(|| {

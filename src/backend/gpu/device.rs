@@ -1,4 +1,4 @@
-//! A device, and every way in which it can fail.
+//! An open device, and all kinds of its failures.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex};
@@ -17,15 +17,15 @@ pub struct OpenDevice {
     pub device: Device,
     /// Its queue.
     pub queue: Queue,
-    /// What it is.
+    /// The description of its adapter.
     pub description: AdapterDescription,
-    /// The first failure that came outside of a call.
+    /// The first failure that was reported outside of a call.
     failure: Arc<Mutex<Option<BackendError>>>,
 }
 
 impl OpenDevice {
-    /// Opens a device with all that its adapter allows in sizes, and with `f64` and time stamps
-    /// where it has them.
+    /// Opens a device with the largest limits of its adapter, and with `f64` and time stamps where the adapter has
+    /// them.
     ///
     /// # Errors
     /// [`BackendError::NoDevice`].
@@ -57,12 +57,12 @@ impl OpenDevice {
         Ok(OpenDevice { device, queue, description, failure })
     }
 
-    /// True where the device can tell the time that a pass took.
+    /// True where the device can measure the time of a pass.
     pub fn has_clock(&self) -> bool {
         self.device.features().contains(Features::TIMESTAMP_QUERY)
     }
 
-    /// Runs `commands` and reports what the device refused of them.
+    /// Runs `commands` and reports which of them the device refused.
     ///
     /// # Errors
     /// [`BackendError::OutOfMemory`] and [`BackendError::Refused`].
@@ -82,14 +82,13 @@ impl OpenDevice {
         }
     }
 
-    /// Waits until the device has done what was submitted: all of it, or up to one submission.
+    /// Waits until the device has finished the submitted work: all of it, or up to one submission.
     ///
     /// # Errors
     /// [`BackendError::Lost`], and any failure noted since the last call.
     pub fn wait(&self, submission: Option<SubmissionIndex>) -> Result<(), BackendError> {
         let until = PollType::Wait { submission_index: submission, timeout: None };
-        // wgpu panics where the device fails while it is waited for; to the caller that is a lost
-        // device like any other.
+        // wgpu panics where the device fails during a wait; for the caller this is a lost device like any other.
         let polled = catch_unwind(AssertUnwindSafe(|| self.device.poll(until)));
         if let Some(failure) = self.failure.lock().ok().and_then(|mut failure| failure.take()) {
             return Err(failure);
@@ -101,7 +100,7 @@ impl OpenDevice {
         }
     }
 
-    /// Maps buffers, once the device has done a submission, or all.
+    /// Maps buffers after the device has finished one submission, or all of them.
     ///
     /// # Errors
     /// As [`OpenDevice::wait`], and [`BackendError::Lost`] where a buffer cannot be mapped.

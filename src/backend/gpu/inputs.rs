@@ -25,8 +25,8 @@ use crate::model::real::Real;
 use crate::scene::grid::AXES;
 use crate::work::threads::install;
 
-/// Gaps between samples that a thread looks through twice at most: the software driver ends loops silently
-/// after 65,535 turns.
+/// The most gaps between samples that a thread searches, twice at most: the software driver ends loops silently after
+/// 65,535 iterations.
 const MOST_GAPS: usize = 30_000;
 
 /// The data that all tiles of a sweep share.
@@ -34,21 +34,21 @@ pub struct Inputs<R> {
     model: Buffer,
     numbers: Buffer,
     motions: Buffer,
-    /// Where a tile finds its numbers by its cells' places.
+    /// The description of a tile whose cells find their numbers by their places.
     tile: Tile,
-    /// Cells find all of them so.
+    /// True where the cells find all their numbers by their places.
     by_place: bool,
-    /// Where each table's entries begin.
+    /// The beginning of each table.
     firsts: Firsts,
-    /// Where motions begin.
+    /// The beginnings of the motions.
     words: Vec<u32>,
-    /// The clocks, where the tables hold them.
+    /// The clocks, if the tables hold them.
     steps: Vec<Steps<R>>,
     /// The buffers of a dispatch, by its place in the ring.
     pub dispatches: [BindGroup; RING],
 }
 
-/// A buffer with these contents, one number at least.
+/// A buffer with these contents; it has one number at least.
 fn filled<R: Real>(gpu: &OpenDevice, label: &str, contents: &[u8], usage: BufferUsages) -> Buffer {
     let nothing = [R::of(0.0)];
     let contents = if contents.is_empty() { bytemuck::cast_slice(&nothing) } else { contents };
@@ -56,7 +56,7 @@ fn filled<R: Real>(gpu: &OpenDevice, label: &str, contents: &[u8], usage: Buffer
 }
 
 impl<R: Real> Inputs<R> {
-    /// Puts on the device what the cells of a plan share.
+    /// Writes the data that the cells of a plan share to the device.
     pub fn new(
         gpu: &OpenDevice,
         pipelines: &Pipelines,
@@ -76,7 +76,7 @@ impl<R: Real> Inputs<R> {
             numbers.extend_from_slice(table);
         }
         let mut tile = Tile { counts: tables.grid().counts(), ..Tile::default() };
-        // Of the bodies the kernel that makes cells takes no more than these.
+        // The kernel that makes cells reads only these numbers of a body.
         tile.levers = numbers.len() as u32;
         for body in &tables.bodies.entries {
             numbers.extend([body.height, body.left.arm, body.right.arm]);
@@ -103,9 +103,9 @@ impl<R: Real> Inputs<R> {
             Some(shared) => resident(gpu, slots, &cells.motions, shared),
             None => filled::<R>(gpu, "no motions", &[], BufferUsages::STORAGE),
         };
-        // A table has an entry at least.
+        // A table has one entry at least.
         let mut model = bytemuck::bytes_of(&cells.bodies()[0]).to_vec();
-        // As a uniform buffer's size is on some devices.
+        // Some devices require this size of a uniform buffer.
         model.resize(model.len().next_multiple_of(16), 0);
         let model = filled::<R>(gpu, "model", &model, BufferUsages::UNIFORM);
         let bodies = bytemuck::cast_slice(cells.bodies());
@@ -118,8 +118,8 @@ impl<R: Real> Inputs<R> {
         Inputs { model, numbers, motions, tile, by_place, firsts, words, steps, dispatches }
     }
 
-    /// Puts on the device what a tile has of its own, on a side, for the dispatch of a number; the threads
-    /// that make its cells, and their buffers.
+    /// Writes the data of one tile to a side of the device, for the dispatch with a given number. The result is the
+    /// number of threads that make the cells of the tile, and their buffers.
     pub fn begin(
         &self,
         gpu: &OpenDevice,
@@ -178,14 +178,14 @@ impl<R: Real> Inputs<R> {
     }
 }
 
-/// True for motions that a shader can be given; cells begin from rest where they are not.
+/// True for motions that fit in a buffer of a shader; where they do not fit, cells begin from rest.
 fn fits<R: Real>(motions: &FullContactMotions<R>, limit: u64) -> bool {
     let values = motions.across.values.len() + motions.up.values.len();
     let bytes = (values * size_of::<R>()) as u64;
     bytes <= limit && motions.across.longest().max(motions.up.longest()) <= MOST_GAPS
 }
 
-/// The buffer of motions that may be on the device already, from a sweep before.
+/// The buffer of motions that an earlier sweep may have left on the device.
 fn resident<R: Real>(
     gpu: &OpenDevice,
     slots: &mut Slots,
@@ -198,7 +198,7 @@ fn resident<R: Real>(
     {
         return buffer.clone();
     }
-    // Two sweeps' motions need not be on the device at once.
+    // The motions of two sweeps need not be on the device at once.
     slots.motions = None;
     let size = size_of_val(&motions.across.values[..]) + size_of_val(&motions.up.values[..]);
     let usage = BufferUsages::STORAGE | BufferUsages::COPY_DST;

@@ -1,8 +1,8 @@
-//! The cells of a tile that do not follow one another in the grid, or lie beyond what a device can count: the host
-//! looks up their entries, and the device has the number of each.
+//! The cells of a tile that do not follow one another in the grid, or whose numbers exceed the range of the device:
+//! the host looks up their entries, and the device has the number of each entry.
 //!
-//! To the device they are the cells of a grid whose axes are the tables: along each a cell's place is the number of its
-//! entry, however large the true grid.
+//! For the device they are the cells of a grid whose axes are the tables: the place of a cell along such an axis is
+//! the number of its entry, however large the true grid is.
 
 use std::ops::Range;
 
@@ -16,17 +16,17 @@ use crate::cells::ready::Cells;
 use crate::model::real::Real;
 use crate::scene::grid::AXES;
 
-/// Numbers of an entry of each table that an axis stands for: of the horizontal and the vertical isolation, the
-/// excitation and the bodies; and the beginnings of motions of u and of v.
+/// The count of numbers in an entry of each table that an axis stands for: the horizontal and the vertical isolation,
+/// the excitation and the bodies; and the beginnings of motions of u and of v.
 pub const SIZES: [usize; AXES] =
     [reals::<Horizontal<f32>>(), reals::<Vertical<f32>>(), reals::<Drive<f32>>(), 1, 1, 1];
 
-/// Numbers of a group of reals alone.
+/// The count of numbers in a group that has only reals.
 const fn reals<G>() -> usize {
     size_of::<G>() / size_of::<f32>()
 }
 
-/// Where each table's entries begin.
+/// The beginning of each table.
 pub type Firsts = [usize; AXES];
 
 /// The places of some cells along these axes, one cell after another.
@@ -35,7 +35,7 @@ pub fn places<R: Real>(all: &Cells<R>, cells: Range<usize>) -> Vec<u32> {
     let of_tables = [&tables.horizontal.index, &tables.vertical.index, &tables.drive.index];
     let of = |number: usize| {
         let cell = tables.cell(number);
-        // A list has fewer than 2^32 entries of a table, and so have motions.
+        // A list has fewer than 2^32 entries of a table, and fewer motions, too.
         let entry = |index: &Index| index.of(&cell) as u32;
         let [horizontal, vertical, drive] = of_tables.map(entry);
         let [across, up] =
@@ -45,7 +45,7 @@ pub fn places<R: Real>(all: &Cells<R>, cells: Range<usize>) -> Vec<u32> {
     cells.into_par_iter().flat_map_iter(of).collect()
 }
 
-/// The number of each cell's clock, where the tables hold the clocks.
+/// The number of the clock of each cell, where the tables hold the clocks.
 pub fn clocks<R: Real>(all: &Cells<R>, cells: Range<usize>) -> Vec<u32> {
     match &all.tables.clocks {
         Clocks::Shared(table) => {
@@ -57,8 +57,8 @@ pub fn clocks<R: Real>(all: &Cells<R>, cells: Range<usize>) -> Vec<u32> {
 }
 
 impl Tile {
-    /// Lays out the tables of cells that find their entries by their places; none where they find some by their numbers
-    /// in the list.
+    /// Describes the tables of cells that find their entries by their places; none where cells find some entries by
+    /// their numbers in the list.
     pub fn find_by_place<R>(&mut self, cells: &Cells<R>, firsts: &Firsts) -> Option<()> {
         let tables = &cells.tables;
         let by_place = |table: usize, index| Layout::by_place(index, firsts[table], SIZES[table]);
@@ -76,9 +76,9 @@ impl Tile {
         Some(())
     }
 
-    /// Makes the tile one of a given number of listed cells, whose places begin at `listed` in `words`.
+    /// Makes this the tile of a given number of listed cells, whose places begin at `listed` in `words`.
     pub fn list(&mut self, cells: usize, listed: usize, firsts: &Firsts) {
-        // A tile has fewer than 2^32 cells, and a buffer fewer words.
+        // A tile has fewer than 2^32 cells, and a buffer has fewer words.
         (self.cells, self.order, self.blocks) = (cells as u32, LISTED, listed as u32);
         (self.columns, self.first_column, self.first_row) = (0, 0, 0);
         let tables = [

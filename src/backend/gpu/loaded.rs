@@ -1,4 +1,4 @@
-//! A tile on the device, from the submission that makes its cells to their outcomes.
+//! A tile on the device, from the submission that makes its cells until their outcomes are read.
 
 use std::ops::Range;
 
@@ -10,36 +10,36 @@ use super::{BackendError, outcomes};
 use crate::cells::ready::Cells;
 use crate::model::real::Real;
 
-/// Cells on the device.
+/// A tile whose cells are on the device.
 pub struct LoadedTile<R> {
     /// Number of the tile.
     pub number: usize,
-    /// Its cells, by their numbers in the list.
+    /// The cells of the tile, by their numbers in the list.
     pub cells: Range<usize>,
-    /// Their clocks, where they have each their own.
+    /// The clocks of the cells, where each has its own.
     pub own: Option<OwnClocks<R>>,
-    /// Steps of its longest cell.
+    /// The steps of the longest cell.
     pub longest: u32,
-    /// Turns that its cells were given so far.
+    /// The number of turns that the cells were given so far.
     pub work: u64,
-    /// Number of the submission that makes the cells.
+    /// The number of the submission that makes the cells.
     pub since: usize,
-    /// Cells that still run.
+    /// The number of cells that still run.
     pub left: usize,
-    /// Its last states are where the host can read them.
+    /// True where the host can read the last states.
     pub mapped: bool,
 }
 
 impl<R: Real> LoadedTile<R> {
-    /// Cells that are done, those that run by the share of their steps. A step takes a turn or more,
-    /// so that this is an upper bound.
+    /// The number of cells that are done; a running cell counts by the share of its steps. A step takes one turn or
+    /// more, so that this is an upper bound.
     pub fn done(&self) -> usize {
         let left = self.left.min(self.cells.len());
         let share = (self.work as f64 / f64::from(self.longest.max(1))).min(0.99);
         self.cells.len() - left + (share * left as f64) as usize
     }
 
-    /// Adds what became of its cells, whose last states are mapped, to that of the tiles before it.
+    /// Adds the outcomes of its cells, whose last states are mapped, to those of the tiles before it.
     pub fn read(
         &self,
         gpu: &OpenDevice,

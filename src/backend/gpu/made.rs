@@ -1,4 +1,4 @@
-//! The cells that a device makes, to be held against the host's.
+//! The cells that a device makes, for a comparison with those of the host.
 
 use wgpu::{BufferDescriptor, BufferUsages, CommandEncoderDescriptor};
 
@@ -22,7 +22,7 @@ pub struct Made<R> {
     pub cells: Vec<Cell<R>>,
     /// Their first states.
     pub states: Vec<State<R>>,
-    /// Those of them that are to run, in the order in which threads take them.
+    /// The cells that are to run, in the order in which threads take them.
     pub running: Vec<u32>,
 }
 
@@ -68,7 +68,7 @@ impl Sweeper<'_> {
         })
     }
 
-    /// Some of a buffer's items.
+    /// Some items of a buffer.
     fn contents<T: bytemuck::Pod>(
         &self,
         buffer: &wgpu::Buffer,

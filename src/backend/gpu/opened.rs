@@ -1,4 +1,4 @@
-//! An open GPU: its device, with the compiled sweeps and the buffers that the next sweep uses again.
+//! An open GPU: its device, the compiled sweeps, and the buffers that the next sweep uses again.
 
 use std::ops::Deref;
 use std::sync::{Mutex, PoisonError};
@@ -15,9 +15,9 @@ use crate::model::precision::Precision;
 /// An open GPU.
 pub struct Gpu {
     device: OpenDevice,
-    /// The compiled sweeps: only the first tile waits for the compiler.
+    /// The compiled sweeps: only the first tile of a sweep waits for the compiler.
     pipelines: Mutex<Vec<(Key, Pipelines)>>,
-    /// Places for cells, used again by the next sweep.
+    /// The buffers for cells, which the next sweep uses again.
     slots: Mutex<Option<Slots>>,
 }
 
@@ -33,7 +33,7 @@ impl Deref for Gpu {
 }
 
 impl Gpu {
-    /// Opens an adapter's device.
+    /// Opens the device of an adapter.
     ///
     /// # Errors
     /// [`BackendError::NoDevice`].
@@ -42,7 +42,7 @@ impl Gpu {
         Ok(Gpu { device, pipelines: Mutex::default(), slots: Mutex::default() })
     }
 
-    /// The compiled sweep for a number type and a variant, compiled by `compile` the first time.
+    /// The compiled sweep for a number type and a variant; `compile` makes it the first time.
     ///
     /// # Errors
     /// Those of `compile`.
@@ -51,7 +51,7 @@ impl Gpu {
         key: Key,
         compile: impl FnOnce() -> Result<Pipelines, BackendError>,
     ) -> Result<Pipelines, BackendError> {
-        // Where a thread broke off there is no half-made entry: the list is as it was.
+        // If a thread panicked here, the list has no incomplete entry.
         let mut pipelines = self.pipelines.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, known)) = pipelines.iter().find(|(known, _)| *known == key) {
             return Ok(known.clone());
@@ -61,14 +61,14 @@ impl Gpu {
         Ok(compiled)
     }
 
-    /// The places for cells that the last sweep left, where they suit.
+    /// The buffers for cells that the last sweep left, if they are suitable.
     pub fn slots(&self, suit: impl FnOnce(&Slots) -> bool) -> Option<Slots> {
         let mut slots = self.slots.lock().unwrap_or_else(PoisonError::into_inner);
-        // Places that do not suit are freed before new ones take memory.
+        // Unsuitable buffers are freed before new ones take memory.
         slots.take().filter(suit)
     }
 
-    /// Keeps places for the cells of the next sweep.
+    /// Keeps the buffers for the cells of the next sweep.
     pub fn keep(&self, slots: Slots) {
         *self.slots.lock().unwrap_or_else(PoisonError::into_inner) = Some(slots);
     }

@@ -14,20 +14,20 @@ use crate::stepping::outcome::Outcome;
 use crate::stepping::state::{PROVED, RUNNING, State};
 use crate::work::threads::install;
 
-/// The cells that a device computed, and the time that it took.
+/// The outcomes of the cells that a device computed, and the time that it took.
 pub struct DeviceOutcomes<R> {
-    /// Their columns, in the cells' order.
+    /// The columns of the outcomes, in the order of the cells.
     pub block: Block,
-    /// Cells that are in them, the first ones.
+    /// The number of cells in them: the first ones of the list.
     pub done: usize,
-    /// The first switches of each cell, as many for each as were requested.
+    /// The first switches of each cell, the requested number for each.
     pub events: Vec<Event<R>>,
-    /// Time in the shader, by the device's clock; none on a device that has no such clock.
+    /// The time in the shader by the clock of the device; none where the device has no clock.
     pub device: Option<Duration>,
 }
 
-/// Puts the outcomes of a tile's cells, by their numbers in the list, in its columns, by all cores. `bytes` are the
-/// cells' states.
+/// Writes the outcomes of the cells of a tile, by their numbers in the list, to its columns, on all cores. `bytes`
+/// are the states of the cells.
 ///
 /// # Errors
 /// [`BackendError::Unfinished`] where a cell still runs or has no status at all: it was never computed.
@@ -43,7 +43,7 @@ pub fn read<R: Real>(
     let copy: Vec<State<R>>;
     let states: &[State<R>] = match bytemuck::try_cast_slice(bytes) {
         Ok(states) => states,
-        // Where a driver maps memory at an odd address.
+        // Some drivers map memory at an unaligned address.
         Err(_) => {
             copy = bytemuck::pod_collect_to_vec(bytes);
             &copy
@@ -62,7 +62,7 @@ pub fn read<R: Real>(
             if state.status == RUNNING || state.status > PROVED {
                 unfinished.fetch_add(1, Ordering::Relaxed);
             }
-            // Most cells follow the one before them in its row, and their places need no division.
+            // Most cells follow the cell before them in its row, and their places need no division.
             if at > some.start {
                 cell.number += 1;
                 if cells[at] == cells[at - 1] + 1 && cell.place[0] + 1 < columns {

@@ -1,32 +1,32 @@
-//! The size of the next submission to a device, from the time that earlier ones took.
+//! The size of the next submission to a device, from the times of earlier ones.
 
 use std::time::Duration;
 
-/// What a submission may take: well below the two seconds after which a desktop driver ends it, and
-/// long against the time that it takes to submit one.
+/// The longest time of a submission: well below the two seconds after which a desktop driver ends it, and much longer
+/// than the time to submit one.
 const LONGEST: Duration = Duration::from_millis(100);
-/// Turns of a cell in the first submission to a device that nothing is known of.
+/// The turns of a cell in the first submission to a device about which nothing is known.
 const FIRST_WORK: u32 = 16;
-/// The same in the longest one: a small share of a long cell's, so that the host hears in time of
-/// room for new cells.
+/// The turns of a cell in the longest submission: a small share of those of a long cell, so that the host knows in
+/// time that there is room for new cells.
 const MOST_WORK: f64 = 512.0;
-/// Turns of a cell in a dispatch, after which the list of running cells is made anew. More leave threads
-/// without a cell; fewer move states for nothing. Drivers bound the iterations of a shader's loops,
-/// the software one silently at 65,535 for all loops together.
+/// The turns of a cell in a dispatch, after which the list of running cells is made again. With more turns threads
+/// are without a cell for longer; with fewer, states are moved more often than necessary. Drivers limit the
+/// iterations of the loops of a shader, the software driver silently at 65,535 for all loops together.
 pub const DISPATCH_TURNS: u32 = 128;
-/// Cells of the first tile on a device that nothing is known of.
+/// The cells of the first tile on a device about which nothing is known.
 const FIRST_TILE: f64 = 32_768.0;
-/// Cells of a tile at least.
+/// The fewest cells of a tile.
 const LEAST_TILE: f64 = 8_192.0;
-/// What a dispatch of two whole tiles may take.
+/// The longest time of a dispatch of two whole tiles.
 const DISPATCH_TIME: Duration = Duration::from_millis(50);
 
-/// How much a device is given at a time.
+/// The amount of work that a device is given at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pace {
-    /// Turns of a cell in a submission.
+    /// The turns of a cell in a submission.
     work: f64,
-    /// Cells of a tile.
+    /// The cells of a tile.
     tile: f64,
 }
 
@@ -37,28 +37,28 @@ impl Default for Pace {
 }
 
 impl Pace {
-    /// Dispatches of the next submission, and turns of a cell in each.
+    /// The dispatches of the next submission, and the turns of a cell in each.
     pub fn dispatches(&self) -> (u32, u32) {
-        // Between one and the most.
+        // The value lies between one and the largest work.
         let work = self.work as u32;
         let dispatches = work.div_ceil(DISPATCH_TURNS);
         (dispatches, work / dispatches)
     }
 
-    /// Cells of the next tile.
+    /// The cells of the next tile.
     pub fn tile(&self) -> usize {
         self.tile as usize
     }
 
-    /// Learns what so many turns of at most a given number of cells took, by the host's clock and by the
-    /// device's. The longer one counts: a device's clock that stands still must not let work grow
-    /// past what a driver allows.
+    /// Records the time that a number of turns of at most a given number of cells took, by the clock of the host and
+    /// by that of the device. The longer time counts: if the clock of a device stands still, the work must not grow
+    /// beyond the limit of a driver.
     pub fn learn(&mut self, work: u32, cells: usize, host: Duration, device: Option<Duration>) {
         let took = host.max(device.unwrap_or_default()).as_secs_f64().max(1.0e-6);
         let work = f64::from(work);
         let ratio = LONGEST.as_secs_f64() / took;
         self.work = (work * ratio.clamp(0.25, 4.0)).clamp(1.0, MOST_WORK);
-        // A device with few cells does not show how many it could have.
+        // A device with few cells does not show how many cells it could run.
         if cells as f64 >= 0.5 * self.tile {
             let rate = work * cells as f64 / took;
             let most = rate * DISPATCH_TIME.as_secs_f64() / (2.0 * f64::from(DISPATCH_TURNS));
@@ -101,12 +101,13 @@ mod tests {
             }
             (pace.dispatches(), pace.tile())
         };
-        // Tiles grow until a dispatch of two of them takes its time; as many dispatches fill a submission.
+        // Tiles grow until a dispatch of two of them takes its longest time; a submission then has as many dispatches
+        // as fit in its own.
         let (dispatches, tile) = after(1.0e11);
         let fill = (LONGEST.as_secs_f64() / DISPATCH_TIME.as_secs_f64()) as u32;
         assert_eq!(dispatches, (fill, DISPATCH_TURNS));
         assert!(tile > 1 << 18);
-        // A million steps a second: one dispatch would take two seconds.
+        // At a million steps per second one dispatch would take two seconds.
         let ((dispatches, work), tile) = after(1.0e6);
         assert_eq!((dispatches, tile), (1, 8192));
         assert!((1..8).contains(&work));

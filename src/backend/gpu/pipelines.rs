@@ -1,4 +1,4 @@
-//! The compiled shader: one kernel makes cells, the other one runs them.
+//! The compiled shader: one kernel makes cells, the other runs them.
 
 use wgpu::{
     ComputePipeline, ComputePipelineDescriptor, PipelineCompilationOptions, ShaderModuleDescriptor,
@@ -9,19 +9,19 @@ use super::BackendError;
 use super::device::OpenDevice;
 use crate::model::isolation::Variant;
 
-/// Threads of a workgroup.
+/// The number of threads of a workgroup.
 pub const WORKGROUP: usize = 64;
 
 /// The two kernels.
 #[derive(Debug, Clone)]
 pub struct Pipelines {
-    /// Makes a tile's cells.
+    /// Makes the cells of a tile.
     pub begin: ComputePipeline,
-    /// Runs a dispatch of their turns.
+    /// Runs the turns of a dispatch.
     pub sweep: ComputePipeline,
 }
 
-/// The override constants of a shader's text for a variant of the model.
+/// The override constants of the text of a shader, for a variant of the model.
 pub fn constants(variant: Variant, events_kept: usize) -> Vec<(&'static str, f64)> {
     let mut constants = vec![
         ("recorded", f64::from(u8::from(variant.recorded))),
@@ -50,7 +50,7 @@ pub fn constants(variant: Variant, events_kept: usize) -> Vec<(&'static str, f64
     constants
 }
 
-/// Compiles a shader's text for a variant of the model.
+/// Compiles the text of a shader for a variant of the model.
 ///
 /// # Errors
 /// [`BackendError::Refused`].

@@ -17,9 +17,9 @@ use crate::stepping::log::Event;
 use crate::stepping::state::State;
 use crate::work::observer::Observer;
 
-/// Most cells of a tile: two of them fill any device, and a sweep of a million cells has some.
+/// The most cells of a tile: two such tiles fill any device, and a sweep of a million cells has several.
 const MOST_CELLS: usize = 1 << 18;
-/// The same on a software adapter: the states then fit in the processor's caches.
+/// The same on a software adapter, where the states then fit in the caches of the processor.
 const MOST_CELLS_SOFTWARE: usize = 1 << 15;
 
 /// The compiled sweep of a scene.
@@ -59,8 +59,8 @@ impl<'a> Sweeper<'a> {
         Sweeper::from_source(gpu, &source, variant, events_kept)
     }
 
-    /// Compiles a shader given as text, such as an altered one. It must keep switches if
-    /// `events_kept` is not zero.
+    /// Compiles a shader given as text, for example a changed one. It must keep switches if `events_kept` is not
+    /// zero.
     ///
     /// # Errors
     /// [`BackendError::Refused`].
@@ -80,13 +80,13 @@ impl<'a> Sweeper<'a> {
         Sweeper { gpu, pipelines, events_kept, most_cells }
     }
 
-    /// The same with tiles of at most a given number of cells: a test asks for many small ones.
+    /// The same with tiles of at most a given number of cells, for tests with many small tiles.
     pub fn in_tiles_of(self, cells: usize) -> Sweeper<'a> {
         Sweeper { most_cells: cells, ..self }
     }
 
-    /// Runs cells of a grid; `observer` hears of cells as they are done, a running one
-    /// by the share of its steps.
+    /// Runs cells of a grid. `observer` is told of cells as they are done; a running cell counts by the share of its
+    /// steps.
     ///
     /// # Errors
     /// Any [`BackendError`]; no outcome is returned that the device did not compute.
@@ -108,12 +108,12 @@ impl<'a> Sweeper<'a> {
         let scene = (&all, &record[..]);
         let tiles = Tiles::new(self.gpu, &self.pipelines, &mut slots, scene, tile)?;
         let results = tiles.run(observer)?;
-        // After a failure the slots are not used again.
+        // After a failure the buffers are not used again.
         self.gpu.keep(slots);
         Ok(results)
     }
 
-    /// Cells of a tile at most.
+    /// The most cells of a tile.
     fn tile_size<R: Real>(&self) -> usize {
         let limits = self.gpu.device.limits();
         let bytes = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);

@@ -1,17 +1,17 @@
-//! The shader's text, put together from `shaders/`.
+//! The text of the shader, joined from the files in `shaders/`.
 
 use crate::model::precision::Precision;
 
 /// Whether a shader keeps the first switches of each cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Switches {
-    /// As any sweep does, it forgets them.
+    /// The switches are not kept, as in any sweep.
     Forgotten,
-    /// It keeps them, for a chart or a test.
+    /// The switches are kept, for a chart or a test.
     Kept,
 }
 
-/// The files of a shader in order, with their names; the first one sets the number type.
+/// The files of a shader in order, with their names; the first file defines the number type.
 pub fn files(precision: Precision, switches: Switches) -> [(&'static str, &'static str); 28] {
     let real = match precision {
         Precision::F32 => ("real_f32.wgsl", include_str!("../../../shaders/real_f32.wgsl")),

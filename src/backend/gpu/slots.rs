@@ -1,5 +1,4 @@
-//! Places for the cells of two tiles on the device, used again by tile after tile and by sweep after
-//! sweep.
+//! The buffers for the cells of two tiles on the device, used again by each tile and each sweep.
 
 use std::any::Any;
 use std::array::from_fn;
@@ -14,48 +13,48 @@ use crate::model::real::Real;
 use crate::stepping::log::Event;
 use crate::stepping::state::State;
 
-/// Tiles on the device at once: while one has its last long cells to run, the next is begun.
+/// The number of tiles on the device at once: while one still has its last long cells to run, the next is begun.
 pub const SIDES: usize = 2;
-/// Submissions on the way at once: while the host looks at one, the device runs the next.
+/// The number of submissions that are not finished: while the host reads one, the device runs the next.
 pub const FLIGHTS: usize = 2;
-/// Dispatches in the ring of tallies.
+/// The number of dispatches in the ring of tallies.
 pub const RING: usize = 4;
-/// Bytes of a tally.
+/// The size of a tally, bytes.
 pub const TALLY: u64 = 32;
-/// From one dispatch's uniform numbers to the next one's: what every device allows.
+/// The distance between the uniform numbers of two dispatches, bytes: every device allows it.
 pub const DISPATCH_STRIDE: u64 = 256;
 
 /// Buffers for two tiles of cells.
 pub struct Slots {
-    /// Cells of a tile at most.
+    /// The most cells of a tile.
     pub tile: usize,
-    /// Bytes of a cell's state.
+    /// The size of the state of a cell, bytes.
     pub state_size: u64,
-    /// Bytes of a cell's first switches.
+    /// The size of the first switches of a cell, bytes.
     pub events_size: u64,
-    /// The cells' numbers.
+    /// The numbers of the cells.
     pub cells: Buffer,
-    /// Their states.
+    /// The states of the cells.
     pub states: Buffer,
-    /// How much a dispatch is to do, by its place in the ring.
+    /// The amount of work of a dispatch, by its place in the ring.
     pub dispatch: Buffer,
-    /// What dispatches did.
+    /// The tallies of dispatches.
     pub tally: Buffer,
     /// The two lists of running cells.
     pub running: Buffer,
-    /// The cells' first switches, where they are kept.
+    /// The first switches of the cells, where they are kept.
     pub events: Option<Buffer>,
-    /// What each tile has of its own.
+    /// The buffers of each tile.
     pub sides: [Side; SIDES],
-    /// What each submission on the way has of its own.
+    /// The buffers of each submission that is not finished.
     pub flights: [Flight; FLIGHTS],
-    /// Motions in full contact that are on the device, and whose they are.
+    /// Motions in full contact that are on the device, and the object to which they belong.
     pub motions: Option<(Arc<dyn Any + Send + Sync>, Buffer)>,
-    /// How fast the device was.
+    /// The speed of the device so far.
     pub pace: Pace,
 }
 
-/// What a tile has of its own.
+/// The buffers of one tile.
 pub struct Side {
     /// See [`Tile`](super::tile::Tile).
     pub tile: Buffer,
@@ -63,32 +62,32 @@ pub struct Side {
     pub words: Buffer,
     /// The clocks of its cells.
     pub clocks: Buffer,
-    /// Its last states, where the host can read them.
+    /// The last states, where the host can read them.
     pub states_back: Buffer,
-    /// Its switches, where the host can read them.
+    /// The switches, where the host can read them.
     pub events_back: Option<Buffer>,
 }
 
-/// What a submission on the way has of its own.
+/// The buffers of a submission that is not finished.
 pub struct Flight {
     /// The tally and the clock's ticks, where the host can read them.
     pub back: Buffer,
-    /// The ticks at its two ends, where the device has a clock.
+    /// The ticks at its begin and at its end, where the device has a clock.
     pub clock: Option<(QuerySet, Buffer)>,
 }
 
-/// A buffer of a given number of bytes, four at least.
+/// A buffer of a given number of bytes, four bytes at least.
 pub fn buffer(gpu: &OpenDevice, label: &str, size: u64, usage: BufferUsages) -> Buffer {
     gpu.device.create_buffer(&BufferDescriptor {
         label: Some(label),
-        // Whole 16 bytes, as a uniform buffer's size is on some devices.
+        // Some devices require a multiple of 16 bytes for a uniform buffer.
         size: size.max(1).next_multiple_of(16),
         usage,
         mapped_at_creation: false,
     })
 }
 
-/// Writes the contents of a buffer; makes it anew, with room to spare, where it is too small.
+/// Writes the contents of a buffer; where the buffer is too small, makes a new one with room to spare.
 pub fn refill(gpu: &OpenDevice, place: &mut Buffer, contents: &[u8]) {
     let size = contents.len() as u64;
     if place.size() < size {
@@ -103,7 +102,7 @@ const UNIFORM: BufferUsages = BufferUsages::UNIFORM.union(BufferUsages::COPY_DST
 const BACK: BufferUsages = BufferUsages::MAP_READ.union(BufferUsages::COPY_DST);
 
 impl Slots {
-    /// Slots for two tiles of a given number of cells, with place for `events_kept` switches of each.
+    /// Buffers for two tiles of a given number of cells, with room for `events_kept` switches of each cell.
     pub fn new<R: Real>(gpu: &OpenDevice, tile: usize, events_kept: usize) -> Slots {
         let slots = (SIDES * tile) as u64;
         let state_size = size_of::<State<R>>() as u64;
@@ -149,7 +148,7 @@ impl Slots {
         }
     }
 
-    /// True where they do for tiles of a given number of cells.
+    /// True where the buffers are suitable for tiles of a given number of cells.
     pub fn suit<R: Real>(&self, tile: usize, events_kept: usize) -> bool {
         self.tile >= tile
             && self.state_size == size_of::<State<R>>() as u64

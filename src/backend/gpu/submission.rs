@@ -12,49 +12,49 @@ use super::device::OpenDevice;
 use super::pipelines::{Pipelines, WORKGROUP};
 use super::slots::{DISPATCH_STRIDE, RING, SIDES, Slots, TALLY};
 
-/// Cells that are to be made in a submission.
+/// The cells that a submission makes.
 pub struct Begin {
-    /// Where.
+    /// The side of their tile.
     pub side: usize,
-    /// Cells.
+    /// The number of cells.
     pub cells: usize,
-    /// Threads.
+    /// The number of threads.
     pub threads: usize,
-    /// Their buffers.
+    /// The buffers that they use.
     pub group: BindGroup,
 }
 
 /// The work of a submission.
 pub struct Order<'a> {
-    /// Sides whose last states are copied to where the host can read them.
+    /// The sides whose last states are copied to memory that the host can read.
     pub copied: [usize; SIDES],
-    /// Cells that are made then.
+    /// The cells that are made after that.
     pub begin: Option<Begin>,
-    /// Number of the first dispatch.
+    /// The number of the first dispatch.
     pub number: u32,
-    /// Dispatches.
+    /// The number of dispatches.
     pub dispatches: u32,
-    /// Turns of a cell in each.
+    /// The turns of a cell in each.
     pub work: u32,
-    /// Cells that run, at most.
+    /// The most cells that run.
     pub running: usize,
-    /// Buffers of the dispatches.
+    /// The buffers of the dispatches.
     pub groups: &'a [BindGroup; RING],
 }
 
 /// A submission that the device has not finished.
 pub struct Flight {
-    /// Its place.
+    /// The place of its buffers.
     pub place: usize,
-    /// Number of the dispatch after it.
+    /// The number of the dispatch after it.
     pub number: u32,
-    /// Turns of a cell in it.
+    /// The turns of a cell in it.
     pub work: u32,
-    /// Cells that ran in it, at most.
+    /// The most cells that ran in it.
     pub running: usize,
-    /// Cells made in it.
+    /// The number of cells made in it.
     pub begun: usize,
-    /// Cells of each side that were copied.
+    /// The number of cells of each side that were copied.
     pub copied: [usize; SIDES],
     submission: SubmissionIndex,
     submitted: Instant,
@@ -63,19 +63,19 @@ pub struct Flight {
 
 /// The report of a submission.
 pub struct Report {
-    /// Cells that still run after it.
+    /// The number of cells that still run after it.
     pub running: usize,
-    /// The same of each side.
+    /// The same for each side.
     pub left: [usize; SIDES],
-    /// Steps that all cells took so far, modulo 2^32.
+    /// The steps that all cells took so far, modulo 2^32.
     pub steps: u32,
-    /// Time in the shader.
+    /// The time in the shader.
     pub device: Option<Duration>,
-    /// Time from its submission, or from the end of the one before it, to its end.
+    /// The time from the submission, or from the end of the submission before it, to its end.
     pub host: Duration,
 }
 
-/// Hands a submission to the device.
+/// Gives a submission to the device.
 pub fn submit(
     gpu: &OpenDevice,
     pipelines: &Pipelines,
@@ -123,7 +123,7 @@ pub fn submit(
     })
 }
 
-/// Copies the last states of a side's cells to where the host can read them.
+/// Copies the last states of the cells of a side to memory that the host can read.
 fn copy_back(encoder: &mut CommandEncoder, slots: &Slots, side: usize, cells: usize) {
     let mut copy = |from, to, size: u64| {
         let first = (side * slots.tile) as u64 * size;
@@ -137,8 +137,7 @@ fn copy_back(encoder: &mut CommandEncoder, slots: &Slots, side: usize, cells: us
     }
 }
 
-/// Clears the states of earlier cells, so that none of them is read as the state of a cell that was never
-/// made.
+/// Clears the states of earlier cells, so that none of them is read as the state of a cell that was never made.
 fn clear(encoder: &mut CommandEncoder, slots: &Slots, begin: &Begin) {
     let mut clear = |buffer, size: u64| {
         let first = (begin.side * slots.tile) as u64 * size;
@@ -179,7 +178,8 @@ fn run(
     }
 }
 
-/// Waits for a submission, since the one before it ended. The states that it copied are mapped then.
+/// Waits for a submission; its time counts from the end of the one before it. Afterwards the states that it copied
+/// are mapped.
 pub fn receive(
     gpu: &OpenDevice,
     slots: &Slots,

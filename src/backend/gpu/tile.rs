@@ -13,86 +13,88 @@ use crate::cells::listing::Index;
 use crate::model::real::Real;
 use crate::scene::grid::AXES;
 
-/// A tile as the shader knows it.
+/// A tile in the form in which the shader reads it.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Default, PartialEq, Pod, Zeroable)]
 pub struct Tile {
-    /// Of the table in `numbers`.
+    /// The layout of the table of horizontal isolations in `numbers`.
     pub horizontal: Layout,
-    /// The same.
+    /// The layout of the table of vertical isolations, likewise.
     pub vertical: Layout,
-    /// The same.
+    /// The layout of the table of excitations, likewise.
     pub drive: Layout,
-    /// The same in `clocks`; `more` is 1 where each cell has the number of its clock in `words`.
+    /// The layout of the clocks in `clocks`; `more` is 1 where each cell has the number of its clock in `words`.
     pub clock: Layout,
-    /// Of the bodies, by number.
+    /// The layout of the bodies, by number.
     pub bodies: Layout,
-    /// Of the motions' beginnings in `words`; `more` are the samples of all motions.
+    /// The layout of the beginnings of motions of u in `words`; `more` is the number of samples of all motions.
     pub across: Layout,
-    /// The same of the vertical motions.
+    /// The layout of the motions of v, likewise.
     pub up: Layout,
-    /// Values of the axes after the first but the last, for those that a grid lacks 1.
+    /// The number of values of each axis after the first except the last; 1 for an axis that the grid does not have.
     pub counts: [u32; 4],
-    /// Place in `numbers` of the first body's height and lever arms.
+    /// The place in `numbers` of the height and the lever arms of the first body.
     pub levers: u32,
-    /// Place of the vertical motions in `motions`.
+    /// The place of the vertical motions in `motions`.
     pub up_values: u32,
     /// 1 where there are shared motions.
     pub shared_contact: u32,
     /// 1 where the base does not move vertically before the block lifts.
     pub still: u32,
-    /// Cells of the tile.
+    /// The number of cells of the tile.
     pub cells: u32,
-    /// Columns of the grid.
+    /// The number of columns of the grid.
     pub columns: u32,
-    /// Column of the first cell; of a list 0.
+    /// The column of the first cell; 0 for a list.
     pub first_column: u32,
-    /// Row of the first cell; of a list 0.
+    /// The row of the first cell; 0 for a list.
     pub first_row: u32,
     /// [`IN_ORDER`], [`IN_BLOCKS`] or [`LISTED`].
     pub order: u32,
-    /// Blocks in a row of the grid; for [`LISTED`] the place in `words` of the first cell's places.
+    /// The number of blocks in a row of the grid; for [`LISTED`] the place in `words` of the places of the first
+    /// cell.
     pub blocks: u32,
-    /// The tile's first slot.
+    /// The first slot of the tile.
     pub first_slot: u32,
-    /// Slots of all tiles.
+    /// The number of slots of all tiles.
     pub slots: u32,
-    /// Number of the dispatch that is to run the cells first.
+    /// The number of the dispatch that first runs the cells.
     pub number: u32,
-    /// Fills the struct to whole 16 bytes.
+    /// Padding: the size of the struct is a multiple of 16 bytes.
     pub padding_0: u32,
-    /// The same.
+    /// Padding, as above.
     pub padding_1: u32,
-    /// The same.
+    /// Padding, as above.
     pub padding_2: u32,
 }
 
-/// Where a table's entries lie.
+/// The layout of the entries of a table.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, Default, PartialEq, Pod, Zeroable)]
 pub struct Layout {
-    /// Place of the entry of a cell at the start of every axis, modulo 2^32: it may lie before a window's
-    /// first.
+    /// The place of the entry of a cell at the start of every axis, modulo 2^32: it may lie before the first entry of
+    /// a window.
     pub first: u32,
-    /// From a value of each axis to the next.
+    /// The distance between two values of each axis.
     pub strides: [u32; AXES],
     /// See the field of [`Tile`].
     pub more: u32,
 }
 
 impl Layout {
-    /// That of entries of a given number of numbers each, from a place on, which cells find by their places; none where they do
-    /// not.
+    /// The layout of entries of a given count of numbers, from a place on, which cells find by their places; none
+    /// where cells do not.
     pub fn by_place(index: &Index, first: usize, size: usize) -> Option<Layout> {
         let Index::ByPlace(strides, before) = index else { return None };
-        // The numbers of a buffer fit in a u32; what lies before its first one wraps round, and so does a stride beyond
-        // its last.
+        // The places in a buffer fit in a u32; a place before the first one wraps around, and so does a stride beyond
+        // the last.
         let word = |entries: usize| entries.wrapping_mul(size) as u32;
         let first = (first as u32).wrapping_sub(word(*before));
         Some(Layout { first, strides: strides.map(word), more: 0 })
     }
 
-    /// That of entries of a given number of numbers each, from a place on, whose number is a listed cell's place along an axis.
+    /// The layout of entries of a given count of numbers, from a place on; the number of an entry is the place of a
+    /// listed cell along an axis.
     pub fn by_number(axis: usize, first: usize, size: usize) -> Layout {
         let mut layout = Layout { first: first as u32, ..Layout::default() };
         layout.strides[axis] = size as u32;
@@ -100,21 +102,22 @@ impl Layout {
     }
 }
 
-/// Cells follow one another in the grid, and threads take them so.
+/// The cells follow one another in the grid, and threads take them in this order.
 pub const IN_ORDER: u32 = 0;
-/// Cells follow one another, and threads take them in blocks.
+/// The cells follow one another, and threads take them in blocks.
 pub const IN_BLOCKS: u32 = 1;
-/// Each cell's places along all axes stand in a list; [here](super::listed) they are numbers of entries.
+/// A list holds the places of each cell along all axes; [in this list](super::listed) they are numbers of entries.
 pub const LISTED: u32 = 2;
 
-/// Columns of a block of cells: those of a warp are near neighbours, which do much the same.
+/// The number of columns of a block of cells: the cells of a warp are close together and take similar steps.
 pub const BLOCK_WIDTH: usize = 8;
-/// Rows of a block.
+/// The number of rows of a block.
 pub const BLOCK_HEIGHT: usize = 4;
 
 impl Tile {
-    /// Puts cells that follow one another in a grid of a given number of columns in the tile; the threads that make them. None
-    /// where they do not, and where the device cannot count so many rows.
+    /// Puts cells that follow one another in a grid with a given number of columns in the tile. The result is the
+    /// number of threads that make them; none where the cells do not follow one another, and where the device cannot
+    /// count so many rows.
     pub fn place(&mut self, columns: usize, cells: &[usize]) -> Option<usize> {
         let first = cells.first().copied().unwrap_or(0);
         if !cells.windows(2).all(|pair| pair[1] == pair[0] + 1) {
@@ -122,7 +125,7 @@ impl Tile {
         }
         let (first_column, first_row) = (first % columns, first / columns);
         let rows = (first_column + cells.len()).div_ceil(columns);
-        // What a thread counts: cells from the first row's start on, and rows.
+        // A thread counts cells from the start of the first row on, and rows.
         let counts = [first_column + cells.len(), first_row + rows];
         if counts.iter().any(|count| u32::try_from(*count).is_err()) {
             return None;
@@ -133,7 +136,7 @@ impl Tile {
         (self.first_column, self.first_row) = (first_column as u32, first_row as u32);
         let blocks = columns.div_ceil(BLOCK_WIDTH);
         let threads = rows.div_ceil(BLOCK_HEIGHT) * blocks * BLOCK_HEIGHT * BLOCK_WIDTH;
-        // Blocks that are mostly beside the grid, or before or after the cells, are not worth it.
+        // Blocks are not used where most of them would lie beside the grid, or before or after the cells.
         if threads <= 2 * cells.len() {
             (self.order, self.blocks) = (IN_BLOCKS, blocks as u32);
             return Some(threads);
@@ -143,23 +146,24 @@ impl Tile {
     }
 }
 
-/// The clocks of a tile whose cells have each their own: a list, and each cell's number in it.
+/// The clocks of a tile whose cells have their own clocks: a list of clocks, and the number of each cell in it.
 pub struct OwnClocks<R> {
-    /// For each cell.
+    /// The number of the clock of each cell.
     pub numbers: Vec<u32>,
-    /// For the host.
+    /// The clocks, for the host.
     pub clocks: Vec<Clock>,
-    /// For the device.
+    /// The numbers of their steps, for the device.
     pub steps: Vec<Steps<R>>,
 }
 
-/// Cells whose clocks are listed together.
+/// The number of cells whose clocks are listed together.
 const TOGETHER: usize = 1 << 12;
-/// Clocks that are known again; one that is forgotten is listed once more.
+/// The number of clocks that are remembered; a clock that is forgotten is listed again.
 const REMEMBERED: usize = 256;
 
 impl<R: Real> OwnClocks<R> {
-    /// Those of a tile's cells, by their numbers in the tables' list; none where the tables hold them.
+    /// The clocks of the cells of a tile, by their numbers in the list of the tables; none where the tables hold the
+    /// clocks.
     pub fn of(tables: &CellTables<R>, cells: Range<usize>) -> Option<OwnClocks<R>> {
         let Clocks::Own(parts) = &tables.clocks else { return None };
         let mut numbers = vec![0; cells.len()];
@@ -179,7 +183,7 @@ impl<R: Real> OwnClocks<R> {
     }
 }
 
-/// Lists the clocks of some cells, from one on, and numbers them.
+/// Lists the clocks of some cells, from a given one on, and numbers them.
 fn list<R: Real>(
     tables: &CellTables<R>,
     parts: &ClockParts,
@@ -206,7 +210,7 @@ fn list<R: Real>(
 mod tests {
     use super::*;
 
-    /// A device counts rows to 2^32: it is given none beyond, which would be others.
+    /// A device counts rows up to 2^32: it is given no row beyond that, because the count would wrap around.
     #[test]
     #[cfg(target_pointer_width = "64")]
     fn no_row_is_cut() {
@@ -220,7 +224,7 @@ mod tests {
         for (first, count) in [(rows - 3, 10), (rows - 1, 4), (rows, 1), (rows + 5, 40)] {
             assert_eq!(placed(columns * first, count), None, "from row {first} on");
         }
-        // Nor does it count beyond the end of a row of nearly as many columns.
+        // The device cannot count beyond the end of a row of nearly as many columns, either.
         let columns = (1 << 32) - 1;
         assert_eq!(Tile::default().place(columns, &[columns - 1, columns]), None);
     }

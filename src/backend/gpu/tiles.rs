@@ -1,11 +1,11 @@
 //! Tiles of cells, two on the device at once.
 //!
-//! The cells of both are in one list, which is made anew after every dispatch, so that threads
-//! have cells however unlike the cells are. When few run, those of the next tile are made and join
-//! them. A tile whose last cell is done is read while the device goes on.
+//! The running cells of both tiles are in one list. It is made again after every dispatch, so that every thread has a
+//! cell, even where cells have very different lengths. When few cells run, those of the next tile are made and join
+//! them. A tile whose last cell is done is read while the device continues.
 //!
-//! All cells of the list get their turns in every dispatch, so that it does not matter which come first;
-//! long ones end last, beside the first ones of the next tile.
+//! All cells of the list get their turns in every dispatch, so that their order does not matter. Long cells end last,
+//! together with the first cells of the next tile.
 
 use std::collections::VecDeque;
 use std::ops::Range;
@@ -26,31 +26,31 @@ use crate::model::real::Real;
 use crate::results::block::Block;
 use crate::work::observer::Observer;
 
-/// A sweep's tiles.
+/// The tiles of a sweep.
 pub struct Tiles<'a, R> {
     gpu: &'a OpenDevice,
     pipelines: &'a Pipelines,
     slots: &'a mut Slots,
     all: &'a Cells<'a, R>,
     inputs: Inputs<R>,
-    /// Cells that are in no tile yet, by their numbers in the list.
+    /// The cells that are in no tile yet, by their numbers in the list.
     rest: Range<usize>,
-    /// Cells of a tile at most.
+    /// The most cells of a tile.
     most_cells: usize,
     /// Tiles whose cells run.
     sides: [Option<LoadedTile<R>>; SIDES],
     /// Tiles whose last states are being copied to the host.
     copied: [Option<LoadedTile<R>>; SIDES],
     flights: VecDeque<Flight>,
-    /// Submissions made and heard of, dispatches, tiles begun and read.
+    /// The counts of submissions made and reported, of dispatches, and of tiles begun and read.
     submitted: usize,
     heard: usize,
     dispatches: u32,
     begun: usize,
     read: usize,
-    /// Cells that ran after the last submission heard of.
+    /// The number of cells that ran after the last reported submission.
     running: usize,
-    /// Steps heard of, modulo 2^32 and in all, and those that the tiles so far can take.
+    /// The reported steps, modulo 2^32 and in all, and the most steps that the tiles so far can take.
     steps: u32,
     all_steps: u64,
     most_steps: u64,
@@ -101,7 +101,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         })
     }
 
-    /// Runs them all to their cells' ends.
+    /// Runs all tiles until all their cells end.
     pub fn run(mut self, observer: &dyn Observer) -> Result<DeviceOutcomes<R>, BackendError> {
         let count = self.rest.len();
         let (mut told, mut ended) = (0, Instant::now());
@@ -110,7 +110,7 @@ impl<'a, R: Real> Tiles<'a, R> {
                 return Err(BackendError::Cancelled);
             }
             while self.flights.len() < FLIGHTS && self.submit()? {}
-            // While the device is at work.
+            // The host reads while the device works.
             let freed = self.read()?;
             if let Some(flight) = self.flights.pop_front() {
                 let report = receive(self.gpu, self.slots, &flight, ended)?;
@@ -130,7 +130,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         Ok(self.results)
     }
 
-    /// Cells that may run in the next submission.
+    /// The most cells that may run in the next submission.
     fn bound(&self) -> usize {
         self.running + self.flights.iter().map(|flight| flight.begun).sum::<usize>()
     }
@@ -166,7 +166,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         Ok(true)
     }
 
-    /// Makes the next tile ready on a side.
+    /// Prepares the next tile on a side.
     fn begin(&mut self, side: usize) -> Result<Begin, BackendError> {
         let count = self.slots.pace.tile().min(self.most_cells).min(self.rest.len());
         let cells = self.rest.start..self.rest.start + count;
@@ -197,7 +197,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         Ok(Begin { side, cells: count, threads, group })
     }
 
-    /// Updates the tiles by the report of a submission.
+    /// Updates the tiles from the report of a submission.
     fn hear(&mut self, flight: &Flight, report: &Report) -> Result<(), BackendError> {
         for side in 0..SIDES {
             if let Some(tile) = self.sides[side].as_mut().filter(|tile| tile.since <= self.heard) {
@@ -215,7 +215,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             let steps = report.steps.wrapping_sub(self.steps);
             self.steps = report.steps;
             self.all_steps += u64::from(steps);
-            // The device makes no progress, or loses the states that it writes.
+            // The device makes no progress, or it loses the states that it writes.
             if self.running > 0 && (steps == 0 || self.all_steps > self.most_steps) {
                 return Err(BackendError::Unfinished(self.running));
             }
@@ -224,7 +224,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         Ok(())
     }
 
-    /// Makes the outcomes of tiles whose states have come, in the tiles' order; false where there are
+    /// Computes the outcomes of tiles whose states have arrived, in the order of the tiles; false where there are
     /// none.
     fn read(&mut self) -> Result<bool, BackendError> {
         let mut any = false;
@@ -239,7 +239,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         Ok(any)
     }
 
-    /// Cells that are done, those that run by the share of their steps.
+    /// The number of cells that are done; a running cell counts by the share of its steps.
     fn done(&self) -> usize {
         let ended = self.copied.iter().flatten().map(|tile| tile.cells.len()).sum::<usize>();
         let running = self.sides.iter().flatten().map(LoadedTile::done).sum::<usize>();

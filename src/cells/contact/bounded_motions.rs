@@ -1,5 +1,5 @@
-//! Motions in full contact of which only bounds are kept of each gap: where no contact force is requested, as many
-//! motions at once as a vector has lanes.
+//! Motions in full contact, of which only the bounds of each gap are kept. They are used where no contact force is
+//! requested. As many motions are integrated at once as a vector has lanes.
 
 use fearless_simd::Level;
 
@@ -24,7 +24,7 @@ fn integrate<V: Vector>(set: MotionSet<V::Element>, zero: V) -> Vec<SampledMotio
     let mut lanes = Lanes::new(Shared { variant, models: &models, record }, zero, ());
     let mut sampled = load(&mut lanes, &set, 1);
     let now = force(&lanes, direction);
-    // No force is on record.
+    // No extreme of a force is known yet.
     let unknown = Direction::Vertical.no_crest(zero);
     let mut gaps = Gaps::at(now);
     let first = gaps.known(zero, unknown);
@@ -50,7 +50,7 @@ fn integrate<V: Vector>(set: MotionSet<V::Element>, zero: V) -> Vec<SampledMotio
     ends.map(|(sampled, start)| sampled.filled(start.samples()).finish(false)).collect()
 }
 
-/// X or Y where each lane is.
+/// X or Y in each lane.
 #[inline(always)]
 fn force<V: Vector>(lanes: &Lanes<V>, direction: Direction) -> V {
     direction.of(lanes.contact())

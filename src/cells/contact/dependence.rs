@@ -5,9 +5,9 @@ use crate::cells::plan::Plan;
 use crate::cells::window::{Combinations, Window};
 use crate::scene::{Directions, Grid, Parameter};
 
-/// The masses that a base's yield force in newtons is divided by.
+/// The masses by which the yield force of a base in newtons is divided.
 const MASSES: [Parameter; 3] = [Parameter::Mass, Parameter::PlateH, Parameter::PlateV];
-/// The parameters that the ground's motion depends on, beside a pulse's amplitudes.
+/// The parameters of the motion of the ground, beside the amplitudes of a pulse.
 const GROUND: [Parameter; 6] = [
     Parameter::Scale,
     Parameter::Pga,
@@ -45,7 +45,7 @@ impl Dependence {
         }
         if base.moves_v() {
             let own = Parameter::of_direction(Directions::Vertical);
-            // At rest it hangs by its static deflection.
+            // A base at rest is displaced by its static deflection.
             up.extend(own.filter(|parameter| !still || *parameter == Parameter::TV));
         }
         if !recorded {
@@ -61,15 +61,15 @@ impl Dependence {
         Dependence { across, up, still }
     }
 
-    /// All combinations of what the motions of u and of v depend on.
+    /// All combinations of the values that the motions of u and of v depend on.
     pub(crate) fn combinations(&self, grid: &Grid) -> [Combinations; 2] {
         let window = Window::whole(grid);
         [&self.across, &self.up].map(|parameters| window.combinations(grid, parameters))
     }
 }
 
-/// A_h of the shared motions of u, m/s^2: by (21) u is proportional to it. None under a record, and where the base's strength
-/// is given: there u is not proportional to A_h.
+/// A_h of the shared motions of u, m/s^2: by (21) u is proportional to A_h. None under a record, and where the
+/// strength of the base is given: there u is not proportional to A_h.
 pub(crate) fn shared_amplitude(plan: &Plan, grid: &Grid) -> Option<f64> {
     if plan.scene.excitation.record().is_some() || grid.gives_strength() {
         return None;

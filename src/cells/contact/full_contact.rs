@@ -1,4 +1,4 @@
-//! Full contact, once for all cells that share it.
+//! Full contact, integrated once for all cells that share it.
 //!
 //! While the block stands on both corners u and v are coupled neither to each other, (5), nor to the
 //! block: u(t) depends on the horizontal isolation and the ground, v(t) on the vertical isolation and the
@@ -32,19 +32,18 @@ use crate::stepping::certificate::STEPS_A_TRY;
 use crate::work::observer::Observer;
 use crate::work::vectors::lanes_of;
 
-/// Largest memory for the motions, bytes; for a grid that needs more each cell integrates its own full
-/// contact.
+/// Largest memory for the motions, bytes; where a grid needs more, each cell integrates its own full contact.
 const MOST_MEMORY: usize = 1 << 29;
-/// Cells that take as long as a motion that they share, where contact forces are not asked for: under 148 motions, of
-/// grids of 6 x 6, 10 x 10 and 16 x 16 over (T_h, T_v), sharing took 1.6, 1.4 and 0.66 of the time.
+/// The number of cells that take as long as a motion that they share, where no contact forces are requested: under
+/// 148 motions, of grids of 6 x 6, 10 x 10 and 16 x 16 over (T_h, T_v), sharing took 1.6, 1.4 and 0.66 of the time.
 const CELLS_A_MOTION: usize = 7;
 
 /// The full-contact motions that cells of a plan's grid share.
 #[derive(Debug)]
 pub struct FullContactMotions<R> {
-    /// Of u: one for each combination of what it depends on.
+    /// The motions of u: one for each combination of the values that they depend on.
     pub(crate) across: Motions<R>,
-    /// Of v: the same.
+    /// The motions of v, likewise.
     pub(crate) up: Motions<R>,
     /// The base does not move vertically before the block lifts.
     pub(crate) still: bool,
@@ -56,20 +55,22 @@ pub struct FullContactMotions<R> {
     pub(crate) level: Level,
 }
 
-/// Steps after a pulse for which motions go on, at the most: some periods of the base, in which it moves farther than
-/// before or does not any more. Of 400 x 400 cells 60,948 of the 63,492 that never lift are final by then.
+/// The largest number of steps for which motions are continued after a pulse: some periods of the base, in which a
+/// base that will still move farther than before does so. Of 400 x 400 cells 60,948 of the 63,492 that never lift are
+/// final by then.
 const AFTER_PULSE: u32 = 20 * STEPS_A_TRY;
 
-/// Steps after the excitation for which motions go on. There energy proves cells final; where the ground moves the block
-/// itself its force may jump at the end of the excitation, and no gap begins with what the one before ends with.
+/// The number of steps for which motions are continued after the excitation. In these steps the energy proves cells
+/// final. Where the ground moves the block directly there are none: its force may jump at the end of the excitation,
+/// so that a gap does not begin with the value with which the gap before it ends.
 fn steps_after(plan: &Plan, still: bool) -> u32 {
     let Laws { moves: [h, v], .. } = plan.laws;
     let pulse = plan.scene.excitation.record().is_none();
     if pulse && plan.shortcuts.certificate && h && (v || still) { AFTER_PULSE } else { 0 }
 }
 
-/// True where the motions of these combinations, with so many steps after the excitation, fit in memory. Those of a pulse
-/// are looked at until they do not.
+/// True where the motions of these combinations, with so many steps after the excitation, fit in memory. The motions
+/// of a pulse are counted one by one until they do not fit.
 fn fit<R: Real>(plan: &Plan, grid: &Grid, all: &[Combinations; 2], after: u32) -> bool {
     let mut left = MOST_MEMORY / size_of::<R>();
     all.iter().zip([HORIZONTAL_FIELDS, VERTICAL_FIELDS]).all(|(all, fields)| {
@@ -96,8 +97,8 @@ fn fit<R: Real>(plan: &Plan, grid: &Grid, all: &[Combinations; 2], after: u32) -
     })
 }
 
-/// The motions that a list needs, with those that are there; all of the grid where they are no more than the list's
-/// cells, or no more than twice as many.
+/// The motions that a list needs, together with those that are there already. They are those of the whole grid where
+/// these are no more than the cells of the list, or no more than twice as many as the list needs.
 fn wanted(
     (grid, cells): (&Grid, &[usize]),
     all: [Combinations; 2],
@@ -137,8 +138,8 @@ impl<R: Real> FullContactMotions<R> {
         let amplitude = shared_amplitude(plan, grid);
         let of = Dependence::of(plan, grid);
         let all = of.combinations(grid);
-        // With as many motions as cells there is nothing to save. Without forces a cell is so cheap that a motion takes as
-        // long as some of them.
+        // With as many motions as cells nothing is saved. Without forces a cell is so cheap that one motion takes as
+        // long as several cells.
         let each = if plan.asked.forces { 1 } else { CELLS_A_MOTION };
         let motions = all[0].count().saturating_add(all[1].count()).saturating_mul(each);
         let pays = grid.len() > motions && amplitude != Some(0.0);
@@ -160,7 +161,7 @@ impl<R: Real> FullContactMotions<R> {
         let level = Level::new();
         let sampled = |direction: Direction, places: &[Place]| {
             let alone = if direction == Direction::Horizontal { &only_h } else { &only_v };
-            // Of a cell energy proves more than of a motion in one direction.
+            // The energy proves more of a cell than of a motion in one direction.
             let variant = Variant { certificate: false, ..alone.variant() };
             // Under a pulse the steps are those of the cells.
             let clock = if recorded { alone } else { plan };
@@ -188,7 +189,7 @@ impl<R: Real> FullContactMotions<R> {
         let [across, up] = wanted;
         let across = Kept::of(across, known.map(|known| known[0]));
         let up = Kept::of(up, known.map(|known| known[1]));
-        // The stiffest vertical isolation takes the most steps: the motions of v begin first.
+        // The stiffest vertical isolation takes the most steps: therefore the motions of v begin first.
         let (along_y, along_x) = rayon::join(
             || sampled(Direction::Vertical, &up.missing()),
             || sampled(Direction::Horizontal, &across.missing()),
@@ -200,12 +201,12 @@ impl<R: Real> FullContactMotions<R> {
         Some(FullContactMotions { across, up, still, variant, after, level })
     }
 
-    /// Where the cells of a list find the motions of u and of v.
+    /// Where the cells of a list find their motions of u and of v.
     pub(crate) fn index(&self, grid: &Grid, cells: &[usize]) -> [Index; 2] {
         [&self.across, &self.up].map(|motions| motions.entries.index(grid, cells))
     }
 
-    /// True where those that a list needs are there.
+    /// True where all motions that a list needs are there.
     pub(crate) fn hold(&self, grid: &Grid, cells: &[usize]) -> bool {
         [&self.across, &self.up].iter().all(|motions| motions.entries.hold(grid, cells))
     }

@@ -1,26 +1,28 @@
-//! The steps of a gap between two samples, and where in them the parts end in which a motion's forces are kept.
+//! The steps of a gap between two samples, and the places in them where those parts end in which the forces of a
+//! motion are kept.
 
 use crate::model::real::{Real, Vector};
 
-/// Steps of a gap from which on eighths of it are taken from them; with fewer, its quarters tell them.
+/// The fewest steps of a gap for which the values at its eighths are taken from the steps; with fewer steps they are
+/// interpolated from its quarters.
 const STEPS_FOR_EIGHTHS: u32 = 8;
 
-/// Ends of parts of gaps in one step, at most one of each lane.
+/// Ends of parts of gaps in one step, at most one in each lane.
 pub struct PartEnds<V: Vector> {
     /// The part's number, from the gap's start, for each lane.
     pub numbers: Vec<usize>,
-    /// Lanes that have one.
+    /// The lanes that have such an end.
     pub lanes: V::Mask,
-    /// At the start of the step, or halfway.
+    /// The lanes whose end is at the start of the step, and those whose end is halfway.
     pub at_start: V::Mask,
     pub halfway: V::Mask,
-    /// How much of the step is before it.
+    /// The fraction of the step before the end.
     pub fraction: V,
 }
 
 /// A step of gaps.
 pub struct GapStep<V: Vector> {
-    /// Lanes that have so many steps to a gap, a bit each.
+    /// The lanes that have at least so many steps in a gap, one bit for each lane.
     pub lanes: u64,
     /// The ends of parts in it.
     pub ends: Vec<PartEnds<V>>,
@@ -30,7 +32,7 @@ pub struct GapStep<V: Vector> {
 #[derive(Clone, Copy)]
 struct PartEnd {
     number: u32,
-    /// How much of the step is before it, in as many parts as a gap has.
+    /// The fraction of the step before the end, in units of one over the parts of a gap.
     rest: u32,
 }
 
@@ -82,15 +84,15 @@ pub fn gap_steps<V: Vector>(parts: u32, substeps: &[u32], zero: V) -> Vec<GapSte
     (0..most).map(step).collect()
 }
 
-/// Lanes, a bit each, of whose parts only every other end is taken from the steps.
+/// The lanes, one bit each, in which only every other end of a part is taken from the steps.
 pub fn by_quarters(parts: u32, substeps: &[u32]) -> u64 {
     let lanes = substeps.iter().enumerate();
     lanes
         .fold(0, |all, (lane, &substeps)| all | u64::from(parts_apart(parts, substeps) > 1) << lane)
 }
 
-/// From one part whose end is taken from the steps to the next. With few steps to a gap every other part is told by those
-/// beside it.
+/// The number of parts from one end that is taken from the steps to the next. With few steps in a gap every other
+/// part is interpolated from its neighbours.
 fn parts_apart(parts: u32, substeps: u32) -> u32 {
     if substeps < STEPS_FOR_EIGHTHS { parts / 4 } else { 1 }
 }

@@ -1,4 +1,4 @@
-//! Motions in full contact as they are kept: those that are there already, and those that were integrated.
+//! Storage of motions in full contact: those that are there already, and those that were integrated now.
 
 use super::motions::{
     ACCELERATION, BOTTOM, DISPLACEMENT, EIGHTHS_V, HORIZONTAL_FIELDS, LEAST, LEAST_SO_FAR, LOWER,
@@ -10,15 +10,15 @@ use crate::cells::listing::Entries;
 use crate::model::real::Real;
 use crate::scene::grid::Place;
 
-/// The motions of a direction that are to be there, and those that are.
+/// The motions of a direction that are needed, and those that are there already.
 pub(crate) struct Kept<'a, R> {
     entries: Entries,
-    /// With the number of each in it.
+    /// The motions that are there, with the number of each needed one among them.
     known: Option<(&'a Motions<R>, Vec<Option<usize>>)>,
 }
 
 impl<'a, R: Real> Kept<'a, R> {
-    /// Of these entries.
+    /// The motions of these entries.
     pub(crate) fn of(entries: Entries, known: Option<&'a Motions<R>>) -> Kept<'a, R> {
         let known = known.map(|known| {
             let number = |entry| known.entries.entry(entries.combination(entry));
@@ -42,14 +42,15 @@ impl<'a, R: Real> Kept<'a, R> {
 
 /// Where a motion comes from.
 enum Source<'a, R> {
-    /// It is there: the motions and its number among them.
+    /// The motion is there: the motions, and its number among them.
     Known(&'a Motions<R>, usize),
-    /// It was integrated.
+    /// The motion was integrated.
     Sampled(&'a SampledMotion<R>),
 }
 
-/// Stores what motions of both directions have, in a given number of fields, of which `crest` and those from `inside` on are each
-/// direction's own; `others` stores the rest of one that was sampled. Those of `kept` that are missing were sampled.
+/// Stores the quantities of the motions of a direction, in a given number of fields, of which `crest` and those from
+/// `inside` on are different in the two directions; `others` stores the remaining ones of a motion that was sampled.
+/// The motions that are missing in `kept` were sampled.
 fn stored<R: Real>(
     [fields, crest, inside]: [usize; 3],
     kept: &Kept<R>,

@@ -1,4 +1,4 @@
-//! The motions in full contact that cells share: a cell begins where it may lift first.
+//! The motions in full contact that cells share: the integration of a cell begins where it may first lift.
 
 pub(crate) mod bounded_motions;
 pub(crate) mod dependence;

@@ -1,4 +1,5 @@
-//! A cache of the motions in full contact: made for the first batch of a sweep, used again by the others.
+//! A cache of the motions in full contact: they are made for the first batch of a sweep, and used again by the
+//! others.
 
 use std::any::Any;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -9,7 +10,7 @@ use crate::cells::shortcuts::Shortcuts;
 use crate::model::asked::Asked;
 use crate::scene::{Grid, Scene};
 
-/// All that motions in full contact depend on, but the number type.
+/// The key of the cache: all data on which the motions in full contact depend, except the number type.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Key {
     pub(crate) scene: Scene,
@@ -23,14 +24,14 @@ pub(crate) struct Key {
 /// The motions of one key, in one number type.
 type Entry = Arc<dyn Any + Send + Sync>;
 
-/// Motions by their keys; a plan and those made from it share one cache. It does not know the motions'
-/// type, which stands above it.
+/// Motions by their keys. A plan and the plans that are made from it share one cache. The cache does not know the
+/// type of the motions, because that type is defined in a module above it.
 #[derive(Debug, Default)]
 pub struct MotionCache(Mutex<Vec<(Key, Entry)>>);
 
 impl MotionCache {
     fn entries(&self) -> MutexGuard<'_, Vec<(Key, Entry)>> {
-        // A thread that panicked leaves whole entries only: an entry is made before it is added.
+        // If a thread panicked here, all entries are whole: an entry is made before it is added.
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -43,7 +44,7 @@ impl MotionCache {
         self.entries().iter().find_map(alike)
     }
 
-    /// Adds the motions of a key, in the place of those that it has in this number type.
+    /// Adds the motions of a key, and replaces those that it has in this number type.
     pub(crate) fn put<T: Any + Send + Sync>(&self, key: Key, motions: Arc<T>) {
         let mut entries = self.entries();
         entries.retain(|(known, motions)| *known != key || !(**motions).is::<T>());

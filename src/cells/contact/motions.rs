@@ -14,17 +14,17 @@ pub const DISPLACEMENT: usize = 0;
 pub const VELOCITY: usize = 1;
 /// X or Y of (14), m/s^2.
 pub const ACCELERATION: usize = 2;
-/// Lower bound of the acceleration from each sample to the next.
+/// Lower bound of the acceleration between each sample and the next.
 pub const LOWER: usize = 3;
 /// Largest |u|, or largest v, up to each sample, m.
 pub const TOP: usize = 4;
-/// Of v: least of the acceleration up to each sample.
+/// Of v: least acceleration up to each sample.
 pub const LEAST_SO_FAR: usize = 5;
-/// Of v: least of the acceleration from each sample to the next, crests between steps included.
+/// Of v: least acceleration between each sample and the next, crests between steps included.
 pub const LEAST: usize = 6;
 /// Of u: z.
 pub const Z: usize = 5;
-/// Of u: upper bound of the acceleration from each sample to the next.
+/// Of u: upper bound of the acceleration between each sample and the next.
 pub const UPPER: usize = 6;
 /// Of u: largest upper bound up to and with each gap.
 pub const UPPER_SO_FAR: usize = 7;
@@ -32,8 +32,7 @@ pub const UPPER_SO_FAR: usize = 7;
 pub const MINUS_LOWER_SO_FAR: usize = 8;
 /// Of u: largest magnitude of the acceleration up to and with each gap.
 pub const MAGNITUDE_SO_FAR: usize = 9;
-/// Of u: largest magnitude of the acceleration from each sample to the next, crests between steps
-/// included.
+/// Of u: largest magnitude of the acceleration between each sample and the next, crests between steps included.
 pub const MAGNITUDE: usize = 10;
 /// Of v: the acceleration after the first eighth of each gap; six eighths more follow.
 pub const EIGHTHS_V: usize = 7;
@@ -53,9 +52,9 @@ pub const HORIZONTAL_FIELDS: usize = 14;
 pub struct Motions<R> {
     /// All numbers.
     pub values: Vec<R>,
-    /// First sample of each motion, and the end of the last one.
+    /// The number of the first sample of each motion, and the end of the last motion.
     pub first: Vec<u32>,
-    /// Which combinations of values have one.
+    /// The combinations of values that have a motion.
     pub entries: Entries,
 }
 
@@ -86,8 +85,8 @@ impl<R: Real> Motions<R> {
         self.first.windows(2).map(|ends| (ends[1] - ends[0]) as usize).max().unwrap_or(0)
     }
 
-    /// Stores a quantity of a motion. A quantity of gaps has one number less than one of samples: the
-    /// last number stays zero.
+    /// Stores a quantity of a motion. A quantity of gaps has one number fewer than a quantity of samples: the last
+    /// number stays zero.
     pub fn fill(&mut self, field: usize, number: usize, values: impl Iterator<Item = R>) {
         let start = field * self.samples() + self.first[number] as usize;
         for (place, value) in self.values[start..].iter_mut().zip(values) {
@@ -106,7 +105,7 @@ impl<R: Real> Motions<R> {
 /// One motion.
 #[derive(Clone, Copy)]
 pub struct MotionSlice<'a, R> {
-    /// From its first sample on.
+    /// The numbers from its first sample on.
     values: &'a [R],
     /// Samples of all motions.
     samples: usize,
@@ -115,14 +114,15 @@ pub struct MotionSlice<'a, R> {
 }
 
 impl<'a, R> MotionSlice<'a, R> {
-    /// The gap that stands for a gap of the other direction's motion: the last one where this motion is shorter.
+    /// The gap that corresponds to a gap of the motion of the other direction: the last one where this motion is
+    /// shorter.
     #[inline(always)]
     pub fn gap(&self, other: usize) -> usize {
         // The last sample ends no gap.
         other.min(self.length.saturating_sub(2))
     }
 
-    /// A quantity at its samples.
+    /// A quantity at the samples of the motion.
     #[inline(always)]
     pub fn field(&self, field: usize) -> &'a [R] {
         let start = field * self.samples;
@@ -133,13 +133,13 @@ impl<'a, R> MotionSlice<'a, R> {
 /// The two motions of a cell.
 #[derive(Clone, Copy)]
 pub struct MotionPair<'a, R> {
-    /// Of u.
+    /// The motion of u.
     pub across: MotionSlice<'a, R>,
-    /// Of v.
+    /// The motion of v.
     pub up: MotionSlice<'a, R>,
     /// The base does not move vertically before the block lifts.
     pub still: bool,
-    /// The variant of the model that its cells have.
+    /// The variant of the model that the cells of this pair have.
     pub variant: Variant,
     /// The vector instructions of this machine.
     pub level: Level,

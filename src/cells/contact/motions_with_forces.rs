@@ -1,7 +1,7 @@
 //! Motions in full contact with the contact forces inside their gaps, as many motions at once as a vector has lanes.
 //!
-//! All lanes go through a gap together, and through each of its steps. A lane whose step is cut at kinks of the Bouc-Wen
-//! law takes more turns, and one that has more steps to a gap takes more of them; the others wait.
+//! All lanes go through a gap together, and through each of its steps. A lane whose step is cut at kinks of the
+//! Bouc-Wen law needs more turns, and so does a lane with more steps in a gap; the other lanes wait.
 
 use fearless_simd::Level;
 
@@ -17,7 +17,7 @@ use crate::stepping::log::Listener;
 use crate::stepping::rk4::hermite;
 use crate::work::vectors::vectorized;
 
-/// Most parts that a gap is kept in.
+/// Most parts into which a gap is divided.
 const MOST_PARTS: usize = 8;
 
 /// Integrates motions on the vectors of a level, no more than it has [lanes](crate::work::vectors::lanes_of).
@@ -28,15 +28,15 @@ pub fn sample<R: Real>(set: MotionSet<R>, level: Level) -> Vec<SampledMotion<R>>
     sampled
 }
 
-/// X or Y in the spans that each lane has taken: a step is one span, or more where z or u' changed its sign in it.
+/// X or Y in the spans of each lane: a step is one span, or several where z or u' changed its sign in it.
 struct Spans<V> {
     direction: Direction,
     /// Spans of the step.
     count: V,
-    /// In the middle of the last span and at its end.
+    /// The values in the middle and at the end of the last span.
     mid: V,
     end: V,
-    /// The largest magnitude, or the least, of the gap's spans.
+    /// The largest magnitude, or the least value, in the spans of the gap.
     crest: V,
 }
 
@@ -120,7 +120,7 @@ fn integrate<V: Vector>(set: MotionSet<V::Element>, zero: V) -> Vec<SampledMotio
     finished.collect()
 }
 
-/// Eighths of some lanes' gaps that quarters tell.
+/// The eighths of the gaps of some lanes that are interpolated from quarters.
 #[inline(always)]
 fn tell_others<V: Vector>(values: &mut [V; MOST_PARTS + 1], lanes: V::Mask) {
     for half in [0, 4] {
@@ -132,7 +132,8 @@ fn tell_others<V: Vector>(values: &mut [V; MOST_PARTS + 1], lanes: V::Mask) {
     }
 }
 
-/// Takes the running lanes over a step: those that are at its end, and those that go on no more, a bit each.
+/// Takes the running lanes over a step. The result is the lanes at the end of the step and the lanes that have ended,
+/// one bit each.
 #[inline(always)]
 fn step<V: Vector>(lanes: &mut Motions<V>) -> [u64; 2] {
     lanes.log.count = lanes.log.count.like(0.0);
@@ -150,7 +151,8 @@ fn step<V: Vector>(lanes: &mut Motions<V>) -> [u64; 2] {
     [reached, ended]
 }
 
-/// The same where parts of a gap end in the step: `values` at these ends; `now` is that at its start.
+/// The same for a step in which parts of a gap end: `values` are the values at these ends, and `now` is the value at
+/// the start of the step.
 #[inline(always)]
 fn step_with_ends<V: Vector>(
     lanes: &mut Motions<V>,
@@ -169,7 +171,7 @@ fn step_with_ends<V: Vector>(
     }
     let over = step(lanes);
     let whole = one.ge(lanes.log.count);
-    // The rates at both ends, where they are asked for.
+    // The rates at both ends, if they are requested.
     let mut known = None;
     for (ends, ground) in ends.iter().zip(grounds) {
         let by_mid = ends.halfway & whole;
@@ -196,7 +198,7 @@ fn step_with_ends<V: Vector>(
     over
 }
 
-/// The motion at a fraction of a step, by the cubics through its ends.
+/// The motion at a fraction of a step, by the cubic polynomials between its ends.
 #[inline(always)]
 fn between<V: Vector>(
     [y0, y1]: [&Motion<V>; 2],
@@ -214,7 +216,7 @@ fn between<V: Vector>(
     }
 }
 
-/// The largest |X| or the least Y of a gap, by parabolas through its parts' ends.
+/// The largest |X| or the least Y of a gap, by parabolas through the values at the ends of its parts.
 #[inline(always)]
 fn kept_crest<V: Vector>(direction: Direction, values: &[V; MOST_PARTS + 1]) -> V {
     let all = values[0].mask(u64::MAX);
@@ -245,7 +247,7 @@ mod tests {
         (&motion.samples, others.collect())
     }
 
-    /// Lanes that wait, that have ended or that have no motion change nothing in the others.
+    /// Lanes that wait, that have ended or that have no motion do not change the other lanes.
     fn each_is_what_it_is_alone<R: Real>(scene: &Scene, direction: Direction) {
         let plan = Plan::new(scene, 0.01).unwrap();
         let record: Vec<Ground<R>> = plan.record();
@@ -277,7 +279,7 @@ mod tests {
         }
     }
 
-    /// Under pulses of many lengths lanes end one by one.
+    /// Under pulses of many lengths the lanes end one after the other.
     #[test]
     fn motions_under_pulses_are_those_of_each_alone() {
         let scene = SceneBuilder::object(1)

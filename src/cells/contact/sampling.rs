@@ -1,5 +1,5 @@
-//! What the makers of shared motions have in common: motions on the lanes of a vector, and what is kept of each gap
-//! between two samples.
+//! What the two integrators of shared motions have in common: motions on the lanes of a vector, and the values that
+//! are kept of each gap between two samples.
 
 use super::shared_motion::{Direction, MotionSet, SLACK, Sample, SampledMotion};
 use crate::model::excitation::Cell;
@@ -8,8 +8,8 @@ use crate::stepping::lanes::{Job, Lanes};
 use crate::stepping::log::Listener;
 use crate::stepping::state::RUNNING;
 
-/// Puts each motion of a set on a lane; the motions, nothing in them, whose gaps are
-/// kept in a given number of parts.
+/// Assigns each motion of a set to a lane. The result also has the motions, still empty, whose gaps are divided into
+/// a given number of parts.
 #[inline(always)]
 pub(crate) fn load<V: Vector, L: Listener<V>>(
     lanes: &mut Lanes<V, L>,
@@ -27,23 +27,23 @@ pub(crate) fn load<V: Vector, L: Listener<V>>(
     sampled
 }
 
-/// X or Y of each lane since the gap in which it is began.
+/// X or Y of each lane since the begin of its gap.
 pub(crate) struct Gaps<V> {
     pub now: V,
     least: V,
     most: V,
-    /// The largest change in a step.
+    /// The largest change within a step.
     change: V,
 }
 
 impl<V: Vector> Gaps<V> {
-    /// At the start of a gap.
+    /// The values at the start of a gap.
     #[inline(always)]
     pub fn at(now: V) -> Gaps<V> {
         Gaps { now, least: now, most: now, change: now.like(0.0) }
     }
 
-    /// Some lanes have taken a step.
+    /// Some lanes have finished a step.
     #[inline(always)]
     pub fn take(&mut self, lanes: V::Mask, next: V) {
         self.change = V::select(lanes, self.change.max((next - self.now).abs()), self.change);
@@ -60,8 +60,8 @@ impl<V: Vector> Gaps<V> {
         self.change = V::select(lanes, self.change.like(0.0), self.change);
     }
 
-    /// What is known of each lane's gap, but its crest and the least value so far: bounds with what may lie between the
-    /// ends of steps.
+    /// What is known of the gap of each lane, except its crest and the least value so far: bounds that allow for the
+    /// values between the ends of steps.
     #[inline(always)]
     pub fn known(&self, crest: V, least_so_far: V) -> Known<V> {
         let Gaps { least, most, change, now } = *self;
@@ -70,7 +70,7 @@ impl<V: Vector> Gaps<V> {
     }
 }
 
-/// X or Y at each lane's sample and in the gap that ends there, as a [`Sample`] has them.
+/// X or Y at the sample of each lane and in the gap that ends there, as in a [`Sample`].
 pub(crate) struct Known<V> {
     now: V,
     lower: V,
@@ -79,7 +79,7 @@ pub(crate) struct Known<V> {
     least_so_far: V,
 }
 
-/// Adds the sample that a lane is at.
+/// Adds the sample at which a lane is.
 #[inline(always)]
 pub(crate) fn add<V: Vector, L: Listener<V>>(
     sampled: &mut SampledMotion<V::Element>,

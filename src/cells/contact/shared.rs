@@ -1,4 +1,4 @@
-//! The motions in full contact that the batches of a sweep share, integrated for the first one.
+//! The motions in full contact that the batches of a sweep share; they are integrated for the first batch.
 
 use std::any::Any;
 use std::sync::Arc;
@@ -13,8 +13,8 @@ use crate::scene::Grid;
 use crate::work::observer::Observer;
 use crate::work::threads::install;
 
-/// The motions in full contact of some cells of the plan's grid under its record, as [`FullContactMotions::of`] has them:
-/// those that lists before needed are used again.
+/// The motions in full contact of some cells of the grid of the plan under its record, as in
+/// [`FullContactMotions::of`]: motions that earlier lists needed are used again.
 pub(crate) fn shared_motions<R: Real>(
     plan: &Plan,
     (grid, cells): (&Grid, &[usize]),
@@ -30,23 +30,23 @@ pub(crate) fn shared_motions<R: Real>(
     {
         return Arc::clone(motions);
     }
-    // Computed without the lock: a thread that waits for the lock may be needed by the computation.
-    // Two threads that begin at the same time compute the same motions twice.
+    // The computation holds no lock, because a thread that waits for the lock may be needed by the computation. Two
+    // threads that begin at the same time compute the same motions twice.
     let record = bytemuck::cast_slice(record);
     let known = known.map(|known| known as Arc<dyn Any + Send + Sync>);
     let some = (&key.grid, cells);
     let motions = install(|| at(R::PRECISION, plan, some, known, record, observer));
-    // They are of the type that was asked for.
+    // The motions have the requested type.
     let motions: Arc<Option<FullContactMotions<R>>> = motions.downcast().unwrap_or_default();
-    // None of a sweep that is cancelled does not mean that there are none.
+    // A sweep that is cancelled has no motions, which does not mean that its cells share none.
     if !observer.cancelled() {
         plan.motion_cache.put(key, Arc::clone(&motions));
     }
     motions
 }
 
-/// Those of a precision, with those known of it, under a record of that precision given as bytes. Not generic, so that its
-/// callers do not compile all kinds of vectors again.
+/// The motions of a precision, with those that are known already, under a record of that precision given as bytes.
+/// The function is not generic, so that its callers do not compile all kinds of vectors again.
 fn at(
     precision: Precision,
     plan: &Plan,
@@ -62,7 +62,7 @@ fn at(
         known: Option<Arc<dyn Any + Send + Sync>>,
         observer: &dyn Observer,
     ) -> Arc<dyn Any + Send + Sync> {
-        // They were such a slice, and lie as one does.
+        // The bytes were a slice of this type, and are aligned like one.
         let record: &[Ground<R>] = bytemuck::cast_slice(record);
         let known: Option<Arc<Option<FullContactMotions<R>>>> =
             known.and_then(|known| known.downcast().ok());
@@ -103,7 +103,8 @@ mod tests {
         assert!(Arc::ptr_eq(&first, &motions()));
     }
 
-    /// Motions grow with the cells that ask for them, not with the grid; those that are there are not integrated again.
+    /// The number of motions grows with the cells that need them, not with the grid; motions that are there are not
+    /// integrated again.
     #[test]
     fn a_list_integrates_the_motions_that_it_needs() {
         let scene = SceneBuilder::object(1)

@@ -1,4 +1,4 @@
-//! The full contact that cells share: where it takes a cell before the cell lifts. Twin of
+//! The full contact that cells share: it takes a cell to the place where it may first lift. Twin of
 //! `shaders/shared_contact.wgsl`; the motions are made in [`full_contact`](super::full_contact).
 
 use super::motions::{
@@ -16,17 +16,17 @@ use crate::stepping::certificate::{STEPS_A_TRY, is_final};
 use crate::stepping::state::{FINISHED, PROVED, State};
 use crate::work::vectors::vectorized;
 
-/// True where a cell of this lever, H times its share of u, may lift in a gap between samples: X of
-/// (14) is between two bounds, and Y above one.
+/// True where a cell with this lever, H times its share of u, may lift in a gap between samples: X of (14) lies
+/// between two bounds, and Y lies above one.
 #[inline(always)]
 fn lifts<N: Number>(arms: [N; 2], lever: N, upper: N, lower: N, lower_y: N) -> N::Mask {
-    // A negative lever turns the bounds about.
+    // A negative lever exchanges the two bounds.
     let (one, other) = (lever * upper, lever * lower);
     one.max(other).gt(arms[0] * lower_y) | (-one).max(-other).gt(arms[1] * lower_y)
 }
 
-/// Takes a cell from its start to the first gap in which it may lift, to the step at which it is final, or to the end of the
-/// motions. It is tried as an integration of its own would try it.
+/// Takes a cell from its start to the first gap in which it may lift, to the step at which it is final, or to the end
+/// of the motions. The cell is checked for being final at the same steps as in an integration of its own.
 #[inline(always)]
 pub(crate) fn full_contact<R: Real>(
     motions: &MotionPair<R>,
@@ -36,20 +36,20 @@ pub(crate) fn full_contact<R: Real>(
     state: &mut State<R>,
 ) {
     let variant = motions.variant;
-    // u is A_h times what it is for A_h = 1.
+    // u is A_h times its value for A_h = 1.
     let lever = model.height * scale;
     let arms = [model.left.arm, model.right.arm];
     let first = first_beyond(motions, arms, lever);
-    // A scan along rows of numbers, with the widest vectors that this machine has.
+    // A search along rows of numbers, with the widest vectors of this machine.
     let (mut sample, none) = (first, R::of(0.0));
     vectorized!(motions.level, none => sample = first_lift(motions, arms, lever, first, none));
     let mut friction = none;
-    // A motion that goes on after the excitation has a sample a step.
+    // A motion that is continued after the excitation has one sample per step.
     let mut tried = cell.steps_forced.saturating_add(STEPS_A_TRY);
     while variant.certificate && tried as usize <= sample && tried < cell.steps {
         let set = CellEquations::of(variant, model, cell, &[]);
         move_to(motions, scale, tried as usize, state);
-        // As if the contact forces passed no extreme: they take longer to be known.
+        // The contact forces are treated as if they had no extreme yet: they take longer to become known.
         (state.friction, state.min_contact) = (R::of(MOST), R::of(-MOST));
         if stays_final(&set, state) {
             friction = friction_before(motions, scale.abs(), tried as usize, friction);
@@ -64,14 +64,14 @@ pub(crate) fn full_contact<R: Real>(
     friction = friction_before(motions, scale.abs(), sample, friction);
     move_to(motions, scale, sample, state);
     meet_forces(motions, model, sample, friction, state);
-    // A sample is a step of the cell or more, of which there are fewer than 2^32.
+    // A sample is one step of the cell or several, and a cell has fewer than 2^32 steps.
     state.step = sample as u32 * cell.substeps;
     if state.step >= cell.steps {
         state.status = FINISHED;
     }
 }
 
-/// More than any contact force, m/s^2, and any friction; no number type loses it.
+/// A number above any contact force, m/s^2, and above any friction, that every number type can hold.
 const MOST: f64 = 1.0e30;
 
 /// True where a block in full contact that has not lifted stays so, and all that is requested is final.
@@ -82,7 +82,7 @@ fn stays_final<R: Real>(set: &CellEquations<R>, state: &State<R>) -> bool {
     R::any(is_final(set, corner, none, tried, none, &state.motion, &extremes))
 }
 
-/// The friction asked for before a sample, where some is known to be.
+/// The largest friction demand before a sample, if one is known.
 #[inline(always)]
 fn friction_before<R: Real>(motions: &MotionPair<R>, size: R, sample: usize, known: R) -> R {
     let (mut friction, none) = (known, R::of(0.0));
@@ -104,7 +104,7 @@ fn friction_before<R: Real>(motions: &MotionPair<R>, size: R, sample: usize, kno
 #[inline(always)]
 fn move_to<R: Real>(motions: &MotionPair<R>, scale: R, sample: usize, state: &mut State<R>) {
     let (h, v, zero) = (motions.across, motions.up, R::of(0.0));
-    // A motion of v at rest is as long as it is asked for.
+    // A motion of v at rest may be shorter: it stays as it is at its last sample.
     let at = sample.min(v.length - 1);
     let z = h.field(Z)[sample];
     state.motion = Motion {
@@ -121,7 +121,7 @@ fn move_to<R: Real>(motions: &MotionPair<R>, scale: R, sample: usize, state: &mu
     state.most_v = v.field(TOP)[at];
 }
 
-/// The contact forces up to a sample, of which the friction is known.
+/// The contact forces up to a sample whose friction demand is known.
 #[inline(always)]
 fn meet_forces<R: Real>(
     motions: &MotionPair<R>,
@@ -136,8 +136,8 @@ fn meet_forces<R: Real>(
     state.friction = friction;
 }
 
-/// The first gap in which a cell may lift by the largest bounds of X and the least of Y so far, which do not fall and
-/// do not rise from gap to gap; or the last sample, which ends no gap. It lifts in no gap before.
+/// The first gap in which a cell may lift by the largest bounds of X and the least bound of Y so far, which are
+/// monotonic from gap to gap; or the last sample, which ends no gap. The cell does not lift in an earlier gap.
 fn first_beyond<R: Real>(motions: &MotionPair<R>, arms: [R; 2], lever: R) -> usize {
     let (h, v) = (motions.across, motions.up);
     let last = h.length - 1;
@@ -161,7 +161,8 @@ fn first_beyond<R: Real>(motions: &MotionPair<R>, arms: [R; 2], lever: R) -> usi
     low
 }
 
-/// The first gap in which a cell may lift, from a gap on, or the last sample: vector by vector, then gap by gap.
+/// The first gap from a given one on in which a cell may lift, or the last sample: first vector by vector, then gap
+/// by gap.
 #[inline(always)]
 fn first_lift<V: Vector>(
     motions: &MotionPair<V::Element>,
@@ -208,8 +209,8 @@ mod tests {
     use crate::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
     use crate::work::observer::Unwatched;
 
-    /// What bounds so far leave out changes nothing: gaps in which a cell may lift, samples and crests of the friction are
-    /// those of a look at every gap.
+    /// The gaps that the bounds exclude have no effect: the gaps in which a cell may lift, and the samples and crests
+    /// of the friction demand, are the same as those of a search of every gap.
     fn nothing_is_left_out<R: Real>(scene: &Scene) {
         let (plan, grid) = (Plan::new(scene, DEFAULT_STEP).unwrap(), Grid::of(scene));
         let record: Vec<Ground<R>> = plan.record();
@@ -248,7 +249,7 @@ mod tests {
                 let within = || within_gaps(&motions, size, (gap, gap_v(gap)));
                 if looked { most.max(within()) } else { most }
             });
-            // A gap that exceeds the largest so far by less than this is not looked into.
+            // A gap that exceeds the largest friction so far by less than this is not searched.
             let most = crest.max(found.2).to_f64();
             assert!((crest - found.2).to_f64().abs() <= OVER * most, "cell {cell}, {scale}");
         }

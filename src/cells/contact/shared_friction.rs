@@ -1,4 +1,4 @@
-//! The friction that full contact asks for, of the motions that cells share. Twin of `shaders/shared_friction.wgsl`.
+//! The friction demand of full contact, from the motions that cells share. Twin of `shaders/shared_friction.wgsl`.
 
 use super::motions::{
     ACCELERATION, EIGHTHS_V, LEAST, LEAST_SO_FAR, MAGNITUDE, MAGNITUDE_SO_FAR, MotionPair,
@@ -8,15 +8,16 @@ use crate::model::number::Number;
 use crate::model::real::{Real, Vector};
 use crate::stepping::extremes::{self, end_slopes, parabola};
 
-/// How many of the gaps before a sample are looked at in vectors: those in which u and v both have numbers, if they fill
-/// one. The others are looked at one by one.
+/// The number of gaps before a sample that are searched as vectors: those in which u and v both have numbers, if they
+/// fill a vector. The others are searched one by one.
 fn in_vectors<V: Vector>(sample: usize, last_v: usize) -> usize {
     let both = sample.min(last_v);
     if both < V::LANES { 0 } else { both }
 }
 
-/// The friction asked for at the samples before one, where some is known to be. A motion grows until the block lifts: from
-/// the last sample backwards, until the largest |X| so far over the least Y so far exceeds no more.
+/// The friction demand at the samples before a given one, if it is known at some. The motion of a block grows until
+/// the block lifts, so the search goes backwards from the last sample, until the largest |X| so far over the least Y
+/// so far is not larger any more.
 #[inline(always)]
 pub(crate) fn at_samples<V: Vector>(
     motions: &MotionPair<V::Element>,
@@ -30,7 +31,7 @@ pub(crate) fn at_samples<V: Vector>(
     let (x, y) = (h.field(ACCELERATION), v.field(ACCELERATION));
     let (magnitude_so_far, least_so_far) = (h.field(MAGNITUDE_SO_FAR), v.field(LEAST_SO_FAR));
     let sizes = zero.like(size.to_f64());
-    // The largest in each lane.
+    // The largest value in each lane.
     let mut frictions = zero;
     let mut before = in_vectors::<V>(sample, last_v);
     let mut friction = known;
@@ -44,7 +45,7 @@ pub(crate) fn at_samples<V: Vector>(
         if V::any((frictions * zero.like(least_so_far[before].to_f64())).ge(limit)) {
             break;
         }
-        // The first samples are looked at with some after them.
+        // The first samples are searched together with some after them.
         before = before.saturating_sub(V::LANES);
         let (x, y) = (zero.first_of(&x[before..]), zero.first_of(&y[before..]));
         frictions = frictions.max(share(sizes, x, y));
@@ -55,7 +56,7 @@ pub(crate) fn at_samples<V: Vector>(
     friction
 }
 
-/// Share of the friction asked for by which a gap must exceed it to be looked into.
+/// The share of the friction demand by which a gap must exceed it to be searched.
 pub(crate) const OVER: f64 = 2.0e-4;
 
 /// The least of the parabola through three values evenly apart, and at what fraction of the way.
@@ -69,9 +70,9 @@ fn dip<N: Number>([start, mid, end]: [N; 3]) -> (N, N) {
     (parabola(start, mid, end, at), at)
 }
 
-/// The friction asked for up to a sample, crests between samples included: in gaps where the largest
-/// |X| over the least Y exceeds the largest so far it is looked for [within the gap](within_gaps), backwards as
-/// [at the samples](at_samples).
+/// The friction demand up to a sample, crests between samples included. Where the largest |X| of a gap over its least
+/// Y exceeds the largest demand so far, the demand is searched for [within the gap](within_gaps), backwards as [at
+/// the samples](at_samples).
 #[inline(always)]
 pub(crate) fn crests<V: Vector>(
     motions: &MotionPair<V::Element>,
@@ -98,7 +99,7 @@ pub(crate) fn crests<V: Vector>(
         if over * friction * least_so_far[before] >= size * magnitude_so_far[before - 1] {
             break;
         }
-        // The first gaps are looked at with some after them.
+        // The first gaps are searched together with some after them.
         let first = before.saturating_sub(V::LANES);
         let limits = zero.like((over * friction).to_f64());
         let bounds = sizes * zero.first_of(&magnitude[first..]);
@@ -106,7 +107,7 @@ pub(crate) fn crests<V: Vector>(
         if beyond != 0 {
             let within = within_gaps(motions, sizes, (first, first));
             for lane in (0..before - first).rev().filter(|lane| beyond >> lane & 1 == 1) {
-                // Those after it may have raised the limit.
+                // The gaps after it may have raised the limit.
                 let gap = first + lane;
                 if size * magnitude[gap] > over * friction * least_y[gap] {
                     friction = friction.max(within.lane(lane));
@@ -118,8 +119,8 @@ pub(crate) fn crests<V: Vector>(
     friction
 }
 
-/// The friction asked for within gaps, from these of u and of v on, one in each lane: on parabolas through eighths of
-/// them, and where Y is least. How small Y is there is known; the parabolas tell when.
+/// The friction demand within gaps, from these gaps of u and of v on, one in each lane: on parabolas through their
+/// eighths, and at the least Y. The least Y is known; the parabolas tell its time.
 #[inline(always)]
 pub(crate) fn within_gaps<V: Vector>(
     motions: &MotionPair<V::Element>,
@@ -141,7 +142,7 @@ pub(crate) fn within_gaps<V: Vector>(
         *eighth = zero.first_of(&v.field(EIGHTHS_V + number)[gap_v..]);
     }
     eighths[8] = zero.first_of(&ys[1..]);
-    // Of spans of two eighths each: the largest share, and |X| where Y is least.
+    // Of spans of two eighths each: the largest share, and |X| at the least Y.
     let mut ends = zero;
     let mut top = zero;
     let (mut least, mut x_there) = (eighths[0], quarters[0]);
@@ -161,7 +162,7 @@ pub(crate) fn within_gaps<V: Vector>(
         x_there = V::select(deeper, parabola(x[0], x[1], x[2], at), x_there);
         least = V::select(deeper, lower, least);
     }
-    // No more than the bound that the gap was looked into for.
+    // The result is not above the bound because of which the gap was searched.
     let bound = share(size, magnitude, least_y).max(ends);
     let most = top.max(share(size, x_there, least_y)).max(ends).min(bound);
     V::select(least_y.gt(zero), most, ends)

@@ -1,4 +1,4 @@
-//! A motion in full contact, sample by sample, with what cells that share it ask of it: see
+//! A motion in full contact, sample by sample, with the values that cells need that share it: see
 //! [`full_contact`](super::full_contact).
 
 use crate::cells::plan::Plan;
@@ -12,11 +12,11 @@ use crate::scene::Case;
 use crate::stepping::extremes::{bend, crest};
 use crate::stepping::state::State;
 
-/// Share of its largest value by which an acceleration may exceed its values at the ends of steps:
-/// 80 steps a period leave 8e-4.
+/// The share of its largest value by which an acceleration may exceed its values at the ends of steps: at 80 steps
+/// per period it is at most 8e-4.
 pub(crate) const SLACK: f64 = 2.0e-3;
-/// Share of the weight, or of the largest |X|, by which the parabolas through parts of a gap may miss an
-/// extremum there. A motion that is faster is shared by nobody.
+/// The share of the weight, or of the largest |X|, by which the parabolas through parts of a gap may miss an extremum
+/// there. A faster motion is not shared.
 const MISSED: f64 = 5.0e-4;
 
 /// A motion in one direction at a sample, and in the gap that ends there.
@@ -30,14 +30,14 @@ pub struct Sample<R> {
     pub z: R,
     /// X or Y of (14), m/s^2.
     pub acceleration: R,
-    /// Bounds of it in the gap.
+    /// Bounds of the acceleration in the gap.
     pub lower: R,
     pub upper: R,
-    /// Its largest magnitude (of v its least) in the gap, crests between steps included.
+    /// Its largest magnitude (for v its least value) in the gap, crests between steps included.
     pub crest: R,
     /// Least of the acceleration so far.
     pub least_so_far: R,
-    /// Least v so far, m; of u zero.
+    /// Least v so far, m; zero for u.
     pub bottom: R,
     /// Largest |u|, or largest v, so far, m.
     pub top: R,
@@ -49,8 +49,8 @@ pub struct SampledMotion<R> {
     pub samples: Vec<Sample<R>>,
     /// The acceleration after each part of a gap: a quarter of X, an eighth of Y.
     pub inside: Vec<Vec<R>>,
-    /// Largest upper bound, largest lower bound turned about, and largest magnitude of the
-    /// acceleration, up to and with each gap.
+    /// Up to and with each gap: the largest upper bound, the largest negative of the lower bound, and the largest
+    /// magnitude of the acceleration.
     pub upper_so_far: Vec<R>,
     pub minus_lower_so_far: Vec<R>,
     pub magnitude_so_far: Vec<R>,
@@ -64,7 +64,7 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// X or Y.
+    /// X or Y of this direction.
     #[inline(always)]
     pub(crate) fn of<R>(self, contact: Contact<R>) -> R {
         match self {
@@ -73,7 +73,7 @@ impl Direction {
         }
     }
 
-    /// Parts that a gap is kept in.
+    /// The number of parts of a gap.
     pub(crate) fn parts(self) -> u32 {
         match self {
             Direction::Horizontal => 4,
@@ -81,7 +81,7 @@ impl Direction {
         }
     }
 
-    /// What parabolas through parts of gaps may miss, m/s^2.
+    /// The error of the parabolas through parts of gaps that is allowed, m/s^2.
     pub(crate) fn allowed<R: Real>(self, sampled: &SampledMotion<R>, gravity: R) -> R {
         R::of(MISSED)
             * match self {
@@ -92,8 +92,8 @@ impl Direction {
             }
     }
 
-    /// The larger of the one so far and the largest |X|, or the lesser and the least Y, on the parabolas
-    /// through the starts, middles and ends of some lanes' spans.
+    /// The larger of the value so far and the largest |X|, or the lesser of the value so far and the least Y, on the
+    /// parabolas through the starts, middles and ends of the spans of some lanes.
     #[inline(always)]
     pub(crate) fn crest<N: Number>(
         self,
@@ -101,7 +101,7 @@ impl Direction {
         so_far: N,
         [start, mid, end]: [N; 3],
     ) -> N {
-        // A parabola goes beyond its values by no more than its bend: most spans need no division.
+        // A parabola exceeds its values by no more than its curvature allows: most spans need no division.
         match self {
             Direction::Horizontal => {
                 let (start, mid, end) = (start.abs(), mid.abs(), end.abs());
@@ -125,7 +125,7 @@ impl Direction {
         }
     }
 
-    /// That of no span at all.
+    /// The value before the first span.
     #[inline(always)]
     pub(crate) fn no_crest<N: Number>(self, like: N) -> N {
         match self {
@@ -135,10 +135,10 @@ impl Direction {
     }
 }
 
-/// Where a motion begins.
+/// The data with which the integration of a motion begins.
 #[derive(Clone, Copy)]
 pub struct Start<R> {
-    /// A body that no lever arm lifts: its uplift moments (14) are zero.
+    /// A body whose uplift moments (14) are zero, because it has no lever arm.
     pub model: Model<R>,
     /// The numbers of a cell that shares the motion.
     pub cell: Cell<R>,
@@ -149,13 +149,14 @@ pub struct Start<R> {
 }
 
 impl<R: Real> Start<R> {
-    /// That of a motion that a case has in one direction, in the steps of a plan, so many after the excitation at the most.
+    /// The start of the motion of a case in one direction, in the steps of a plan, with at most so many steps after
+    /// the excitation.
     pub fn of(plan: &Plan, case: &Case, direction: Direction, after: u32) -> Start<R> {
         let mut model = plan.model::<R>(case);
         (model.height, model.left.arm, model.right.arm) = (R::of(0.0), R::of(0.0), R::of(0.0));
         let (mut cell, state) = plan.cell::<R>(case);
         if direction == Direction::Horizontal {
-            // X by itself: over g it is the friction asked for where the ground does not move vertically.
+            // X by itself: divided by g it is the friction demand where the ground does not move vertically.
             cell.amplitude_v = R::of(0.0);
         }
         let after = after.min(cell.steps - cell.steps_forced);
@@ -167,7 +168,7 @@ impl<R: Real> Start<R> {
         self.cell.steps_forced + self.after
     }
 
-    /// Its samples: the ends of its gaps.
+    /// The number of its samples, which end its gaps.
     pub fn samples(&self) -> usize {
         (self.steps() / self.cell.substeps) as usize + 1
     }
@@ -182,7 +183,7 @@ pub struct MotionSet<'a, R> {
     pub direction: Direction,
     /// The record.
     pub record: &'a [Ground<R>],
-    /// Where each begins.
+    /// The starts of the motions.
     pub starts: &'a [Start<R>],
 }
 
@@ -192,7 +193,7 @@ fn beyond<R: Real>() -> R {
 }
 
 impl<R: Real> SampledMotion<R> {
-    /// A motion of a given number of samples, nothing in it.
+    /// A motion of a given number of samples, still empty.
     pub(crate) fn of(count: usize, parts: u32) -> SampledMotion<R> {
         SampledMotion {
             samples: Vec::with_capacity(count),
@@ -208,7 +209,7 @@ impl<R: Real> SampledMotion<R> {
         self.samples.iter().skip(1)
     }
 
-    /// The same with as many samples as it should have. A motion that the number type does not hold ends early: cells
+    /// The same with the full number of samples. A motion that exceeds the range of the number type ends early: cells
     /// that share it integrate by themselves.
     pub(crate) fn filled(mut self, count: usize) -> SampledMotion<R> {
         if let Some(&last) = self.samples.last()
@@ -220,14 +221,14 @@ impl<R: Real> SampledMotion<R> {
         self
     }
 
-    /// With these bounds every cell may lift in every gap, and integrates by itself.
+    /// With these bounds every cell may lift in every gap, and so integrates by itself.
     fn bound_nothing(&mut self) {
         for sample in &mut self.samples {
             (sample.lower, sample.upper) = (-beyond::<R>(), beyond());
         }
     }
 
-    /// What is known once all gaps are; `missed`: parts of gaps do not tell the crests.
+    /// Computes what depends on all gaps; `missed`: the parts of gaps do not describe the crests.
     pub(crate) fn finish(mut self, missed: bool) -> SampledMotion<R> {
         if missed {
             self.bound_nothing();

@@ -3,6 +3,7 @@
 
 use super::{RecordError, other_programs, plain};
 use crate::scene::bounded;
+use crate::scene::shown::is_hidden;
 
 /// Largest file that is read, bytes; of a packed one also what is in it.
 pub(crate) const LARGEST: u64 = 256 << 20;
@@ -45,11 +46,11 @@ pub fn decoded(bytes: &[u8]) -> Result<String, RecordError> {
     Ok(text)
 }
 
-/// A name or a title from a file as it is shown, in one line: a blank for a line break or a tab, and without other control
-/// characters, which a terminal would obey and an SVG may not hold.
+/// A name or a title from a file as it is shown, in one line: a blank for a line break or a tab, and without other characters
+/// that a terminal obeys, an SVG may not hold, or nobody sees.
 pub fn printable(text: &str) -> String {
     let blank = |c: char| if c.is_control() && c.is_whitespace() { ' ' } else { c };
-    text.replace("\r\n", "\n").chars().map(blank).filter(|c| !c.is_control()).collect()
+    text.replace("\r\n", "\n").chars().map(blank).filter(|c| !is_hidden(*c)).collect()
 }
 
 #[cfg(test)]
@@ -134,5 +135,7 @@ mod tests {
         }
         assert_eq!(printable("a\u{1b}[31mb\u{7}"), "a[31mb");
         assert_eq!(printable("a\r\nb\tc\nd"), "a b c d");
+        let hidden = "\u{202a}\u{202b}\u{202c}\u{202d}\u{202e}\u{2066}\u{2067}\u{2068}\u{2069}\u{200b}\u{200d}\u{2060}\u{feff}\u{200e}\u{ad}";
+        assert_eq!(printable(&format!("a{hidden}b \u{627}\u{3b1}")), "ab \u{627}\u{3b1}");
     }
 }

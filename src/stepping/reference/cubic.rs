@@ -2,29 +2,29 @@
 
 use super::system::State;
 
-/// Samples of a quantity in a step, its ends included, evenly spread.
+/// The number of samples of a quantity in a step, its ends included, evenly apart.
 pub const SAMPLES: usize = 5;
 
-/// Fractions of a step at which it is sampled.
+/// The fractions of a step at which the samples are taken.
 pub const SAMPLED: [f64; SAMPLES] = [0.0, 0.25, 0.5, 0.75, 1.0];
 
-/// The cubic with the states and slopes of the two ends of an interval.
+/// The cubic polynomial with the states and slopes at the two ends of an interval.
 pub struct Cubic<'a> {
-    /// State at the start.
+    /// The state at the start.
     pub y0: &'a State,
-    /// Its time derivative.
+    /// The time derivative at the start.
     pub d0: &'a State,
-    /// State at the end.
+    /// The state at the end.
     pub y1: &'a State,
-    /// Its time derivative.
+    /// The time derivative at the end.
     pub d1: &'a State,
-    /// Length, s.
+    /// The length of the interval, s.
     pub h: f64,
     powers: [State; 3],
 }
 
 impl<'a> Cubic<'a> {
-    /// Over an interval of length `h`.
+    /// The cubic over an interval of length `h`.
     pub fn new(
         (y0, d0): (&'a State, &'a State),
         (y1, d1): (&'a State, &'a State),
@@ -46,22 +46,22 @@ impl<'a> Cubic<'a> {
     }
 }
 
-/// A crest that samples of a quantity foretell.
+/// A crest of a quantity that its samples indicate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Crest {
-    /// Where in the step, as a fraction of it.
+    /// The place of the crest, as a fraction of the step.
     pub at: f64,
-    /// The most that the quantity may be there: the parabola's crest and a quarter of its second
-    /// difference. What a cubic and a parabola leave out is of a higher order than that.
+    /// An upper bound of the quantity at the crest: the crest of the parabola and a quarter of its second difference.
+    /// The error of a cubic and of a parabola is of a higher order.
     pub most: f64,
 }
 
-/// The crest of the parabola through the samples beside the `middle` one; none where it lies
-/// outside of them, or stands out of them by less than 1e-7 of itself.
+/// The crest of the parabola through the samples beside the `middle` one; none where it lies outside of them, or
+/// exceeds them by less than 1e-7 of its value.
 pub fn crest(samples: &[f64; SAMPLES], middle: usize) -> Option<Crest> {
     let (low, mid, high) = (samples[middle - 1], samples[middle], samples[middle + 1]);
     let bend = 2.0 * mid - low - high;
-    // Two spacings from the crest the parabola is 2 `bend` below it.
+    // At a distance of two spacings from the crest the parabola is 2 `bend` below it.
     if !(2.0 * bend > 1.0e-7 * mid.abs()) {
         return None;
     }
@@ -75,9 +75,9 @@ pub fn crest(samples: &[f64; SAMPLES], middle: usize) -> Option<Crest> {
     Some(Crest { at, most: value + 0.25 * bend })
 }
 
-/// The largest value of `of` beside a crest near the fraction `at` of a step: of three points about it, and of
-/// the crest of the parabola through them. Its place is then known to the square of their distance, and the
-/// value to the fourth power.
+/// The largest value of `of` near a crest at about the fraction `at` of a step: the largest of three points around it
+/// and of the crest of the parabola through them. The error of its place is of second order in the distance of the
+/// points, and the error of the value is of fourth order.
 pub fn climb(at: f64, of: impl Fn(f64) -> f64) -> (f64, f64) {
     const APART: f64 = 1.0 / 32.0;
     let middle = at.clamp(APART, 1.0 - APART);

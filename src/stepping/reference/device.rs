@@ -1,13 +1,13 @@
-//! The devices of a base in masses and forces: a slider that is pressed, a stop, a spring that hardens.
+//! The devices of a base in masses and forces: a slider under pressure, an end stop, a spring that hardens.
 //!
-//! Nothing here is shared with [`crate::model`]: forces are newtons, and what presses on the slider is a column of the
-//! system of equations.
+//! Nothing here is shared with [`crate::model`]: forces are in newtons, and the force that presses on the slider is
+//! part of the system of equations.
 
 use super::system::{DU, DV, State, System, U, V, Z};
 use crate::scene::GRAVITY;
 
 impl System {
-    /// The force that the base's spring and hysteresis have, over the weight that rests on the base.
+    /// The force of the spring and the hysteresis of the base, over the weight that rests on the base.
     pub(super) fn slope(&self, y: &State) -> f64 {
         let weight = (self.mass + self.plate_h + self.plate_v) * GRAVITY;
         (self.psi * self.k_h * y[U] + self.k_h * self.u_y * (1.0 - self.psi) * y[Z]) / weight
@@ -20,7 +20,8 @@ impl System {
         -self.against * (stop.stiffness * depth + stop.damping * speed)
     }
 
-    /// The side on which a base is against its end stop, +1 or -1, or zero: it is beyond the gap, and the stop pushes.
+    /// The side on which a base is against its end stop, +1 or -1, or zero. It is against the stop if it is beyond
+    /// the gap and the stop pushes.
     pub(super) fn side_of_stop(&self, y: &State) -> f64 {
         if self.beyond_stop(y) > 0.0 { y[U].signum() } else { 0.0 }
     }
@@ -33,7 +34,7 @@ impl System {
         spring.min(spring + stop.damping * speed)
     }
 
-    /// The force of the vertical spring and damper on what they carry, N.
+    /// The force of the vertical spring and damper on the mass that they carry, N.
     pub(super) fn spring_v(&self, y: &State) -> f64 {
         let Some(deflection) = self.deflection else {
             return -(self.k_v * y[V] + self.c_v * y[DV]);
@@ -44,7 +45,7 @@ impl System {
         carried - self.k_v * from_rest - harder - self.c_v * y[DV]
     }
 
-    /// What the vertical spring stores, less the work of the weight, J, from where that is zero.
+    /// The energy of the vertical spring less the work of the weight, J, measured from the position where it is zero.
     pub(super) fn stored_v(&self, y: &State) -> f64 {
         let Some(deflection) = self.deflection else {
             return GRAVITY * (self.mass + self.plate_v) * y[V] + 0.5 * self.k_v * y[V] * y[V];
@@ -54,7 +55,7 @@ impl System {
         0.5 * self.k_v * from_rest * from_rest * (1.0 + 0.5 * ratio * ratio)
     }
 
-    /// What the end stop stores, J.
+    /// The energy that the end stop stores, J.
     pub(super) fn stored_stop(&self, y: &State) -> f64 {
         self.stop
             .map_or(0.0, |stop| 0.5 * stop.stiffness * (y[U].abs() - stop.gap).max(0.0).powi(2))

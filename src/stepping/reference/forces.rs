@@ -1,4 +1,4 @@
-//! Forces and accelerations at a state of a motion, whoever integrated it.
+//! Forces and accelerations at a state of a motion, independent of the method that integrated it.
 
 use nalgebra::Vector3;
 
@@ -8,17 +8,17 @@ use crate::scene::{Case, GRAVITY, Scene};
 /// Accelerations, m/s^2, without gravity, and forces, N, at an instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Forces {
-    /// The ground's horizontal acceleration.
+    /// The horizontal acceleration of the ground.
     pub ground_h: f64,
-    /// Its vertical one.
+    /// The vertical acceleration of the ground.
     pub ground_v: f64,
-    /// The upper plate's absolute horizontal acceleration.
+    /// The absolute horizontal acceleration of the upper plate.
     pub acc_plate: f64,
-    /// Its vertical one.
+    /// The vertical acceleration of the upper plate.
     pub acc_plate_v: f64,
-    /// The horizontal one of the block's centre of mass.
+    /// The absolute horizontal acceleration of the centre of mass of the block.
     pub acc_block: f64,
-    /// Its vertical one.
+    /// The vertical acceleration of the centre of mass.
     pub acc_block_v: f64,
     /// Normal force between block and base.
     pub normal: f64,
@@ -66,7 +66,7 @@ impl System {
     }
 }
 
-/// What gives forces of the states of a cell.
+/// Computes the forces of the states of a cell.
 pub struct ForcesOf {
     system: System,
     stretches: Vec<(f64, Drive)>,
@@ -74,14 +74,15 @@ pub struct ForcesOf {
 }
 
 impl ForcesOf {
-    /// Those of a scene's cell.
+    /// The forces of a cell of a scene.
     pub fn new(scene: &Scene, case: &Case) -> ForcesOf {
         let system = System::new(scene, case);
         let stretches = system.stretches(f64::INFINITY);
         ForcesOf { system, stretches, mass: case.block.mass }
     }
 
-    /// At a time in a phase; at a jump of the ground those after it, but a record's last sample is the record's.
+    /// The forces at a time in a phase. At a jump of the ground motion they are those after it, except at the last
+    /// sample of a record, which belongs to the record.
     pub fn at(&mut self, t: f64, phase: Phase, y: &State) -> Forces {
         let is_before =
             |end: f64, drive: &Drive| end < t || end == t && !matches!(drive, Drive::Between(_));

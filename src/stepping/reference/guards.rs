@@ -1,36 +1,36 @@
-//! The guards of a phase: what cuts a step short, whether it happens in a step, and when.
+//! The guards of a phase: events that cut a step, whether one happens in a step, and when.
 
 use super::EVENT_TIME;
 use super::cubic::{Cubic, SAMPLED, SAMPLES, climb, crest};
 use super::system::{DU, PHI, Pole, State, Z};
 use super::trial::Trial;
 
-/// What cuts a step short.
+/// The events that cut a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Guard {
     /// The uplift condition about a corner.
     Uplift,
-    /// phi back at zero.
+    /// phi returns to zero.
     Impact,
-    /// phi at the overturning angle.
+    /// phi reaches the overturning angle.
     Overturn,
-    /// u' changed sign.
+    /// u' changes sign.
     Velocity,
-    /// z changed sign.
+    /// z changes sign.
     Hysteretic,
-    /// The base met its end stop, or left it.
+    /// The base meets its end stop, or leaves it.
     Stop,
 }
 
 impl Guard {
-    /// True where both of a pair of crossings within a step count; between two kinks that close
-    /// the step's error is small, or the step is refused.
+    /// True where both crossings of a pair within a step count. Between two kinks that are that close the error of
+    /// the step is small, or the step is refused.
     fn switches(self) -> bool {
         matches!(self, Guard::Uplift | Guard::Impact | Guard::Overturn | Guard::Stop)
     }
 }
 
-/// Value of a guard in a state at a time from the step's start: positive once it has happened.
+/// The value of a guard in a state at a time from the start of the step: positive after its event has happened.
 fn value(trial: &Trial, guard: Guard, after: f64, y: &State) -> f64 {
     let side = trial.phase.map_or(0.0, Pole::sign);
     match guard {
@@ -63,9 +63,8 @@ fn guards(trial: &Trial) -> [Option<Guard>; 6] {
     ]
 }
 
-/// The first guard that happens in a step, and the time from its start just after which it
-/// has. Found by samples along the step's cubic and by the crests between them, located on the
-/// step itself.
+/// The first guard that happens in a step, and the time from its start just after the event. The guard is found by
+/// samples along the cubic of the step and by the crests between them, and located on the step itself.
 pub fn first_guard(trial: &Trial, cubic: &Cubic) -> Option<(Guard, f64)> {
     let states = SAMPLED.map(|x| cubic.at(x));
     let mut candidates = Vec::new();
@@ -81,12 +80,12 @@ pub fn first_guard(trial: &Trial, cubic: &Cubic) -> Option<(Guard, f64)> {
     let mut first: Option<(Guard, f64)> = None;
     for (_, guard, (low, high)) in candidates {
         let place = match first {
-            // The cubic may have them in the wrong order: on the step itself it may come before.
+            // The order of events may be wrong on the cubic: on the step itself this one may come first.
             Some((_, place)) if has_happened(trial, guard, place) => {
                 locate(trial, guard, (0.0, place))
             }
             Some(_) => None,
-            // The cubic may see it a little early: then it happens in the rest of the step, or not.
+            // The cubic may show it slightly too early: then it happens in the rest of the step, or not at all.
             None => {
                 locate(trial, guard, (low, high)).or_else(|| locate(trial, guard, (low, cubic.h)))
             }
@@ -96,13 +95,13 @@ pub fn first_guard(trial: &Trial, cubic: &Cubic) -> Option<(Guard, f64)> {
     first
 }
 
-/// True where a guard has happened at a time from the step's start, on the step itself.
+/// True where a guard has happened at a time from the start of the step, on the step itself.
 fn has_happened(trial: &Trial, guard: Guard, after: f64) -> bool {
     value(trial, guard, after, &trial.step(after).0) > 0.0
 }
 
-/// Fractions of a step of length `h` between which a guard first happens: two samples, or one and a crest
-/// beyond it, where a switch happens that has passed at the next sample.
+/// The fractions of a step of length `h` between which a guard first happens: two samples, or one sample and a crest
+/// beyond it, where a switch has happened and is undone at the next sample.
 fn bracket(trial: &Trial, guard: Guard, values: &[f64; SAMPLES], h: f64) -> Option<(f64, f64)> {
     let happened = (1..SAMPLES).find(|&i| values[i] > 0.0);
     let sampled = happened.map(|i| (SAMPLED[i - 1], SAMPLED[i]));
@@ -122,8 +121,8 @@ fn bracket(trial: &Trial, guard: Guard, values: &[f64; SAMPLES], h: f64) -> Opti
     sampled
 }
 
-/// Where on a cubic that begins at the time `after` from the step's start a guard changes
-/// sign, by bisection; `(low, high)` are fractions of the cubic.
+/// The place at which a guard changes sign on a cubic that begins at the time `after` from the start of the step, by
+/// bisection; `(low, high)` are fractions of the cubic.
 fn root(
     trial: &Trial,
     guard: Guard,
@@ -142,9 +141,8 @@ fn root(
     0.5 * (low + high)
 }
 
-/// Locates a guard between two times from the step's start: the step is redone up to the
-/// estimate, and the bracket closes around it. Returns the later end, where the guard has
-/// happened; `None` if it turns out not to.
+/// Locates a guard between two times from the start of the step. The step is computed again up to the estimate, and
+/// the bracket is narrowed. Returns the later end, at which the guard has happened; `None` if it does not happen.
 fn locate(trial: &Trial, guard: Guard, (mut low, mut high): (f64, f64)) -> Option<f64> {
     let redo = |x: f64| {
         let at = trial.step(x).0;
@@ -157,18 +155,19 @@ fn locate(trial: &Trial, guard: Guard, (mut low, mut high): (f64, f64)) -> Optio
         return None;
     }
     if low > 0.0 && value(trial, guard, low, &y_low) > 0.0 {
-        // The cubic saw it a little late.
+        // The cubic showed it slightly too late.
         (high, y_high, d_high) = (low, y_low, d_low);
         (low, y_low, d_low) = (0.0, *trial.y, *trial.rate);
     }
     let mut aside = -0.25;
-    // Estimates in a row that did not halve the bracket, as where the cubic across a kink is far off.
+    // Counts consecutive estimates that did not halve the bracket, as happens where the cubic across a kink is far
+    // off.
     let mut poor = 0;
     while high - low > EVENT_TIME {
         let width = high - low;
         let cubic = Cubic::new((&y_low, &d_low), (&y_high, &d_high), width);
         let estimate = root(trial, guard, low, &cubic, (0.0, 1.0));
-        // A little to either side in turn, so that the bracket closes from both.
+        // The estimate is moved slightly to either side in turn, so that the bracket is narrowed from both sides.
         let mut x = low + estimate * width + aside * EVENT_TIME;
         aside = -aside;
         if poor >= 2 || !(x > low && x < high) {

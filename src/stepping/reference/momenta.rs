@@ -1,7 +1,7 @@
-//! What an impact makes of the velocities: the balance of momenta (15), solved as the linear system
-//! that it is; and the energy, which it may not raise.
+//! The velocities after an impact: the balance of momenta (15), solved as a linear system; and the energy, which an
+//! impact must not raise.
 //!
-//! Nothing here is shared with [`crate::model`], not the closed form (16)-(18) of the impact either.
+//! Nothing here is shared with [`crate::model`], and the closed form (16)-(18) of the impact is not used.
 
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
@@ -9,8 +9,8 @@ use super::system::{DPHI, DU, DV, PHI, Phase, Pole, State, System, U, Z};
 use crate::scene::GRAVITY;
 
 impl System {
-    /// The state after an impact that ends rocking about `before`: (15) solved for the velocities
-    /// after it, with the block going on about the other corner.
+    /// The state after an impact that ends rocking about `before`: (15) solved for the velocities after it, where the
+    /// block then turns about the other corner.
     pub fn impact(&self, before: Pole, y: &State) -> State {
         let after = before.other();
         let total_h = self.mass + self.plate_h + self.plate_v;
@@ -43,7 +43,8 @@ impl System {
         };
         let mut solved = solve(matrix, &right);
         if self.restitution_factor != 1.0 {
-            // The linear momenta stay; the rotation is given in the place of the angular one.
+            // The linear momenta are kept; the rotation is given, and takes the place of the balance of the angular
+            // momentum.
             matrix.set_row(2, &nalgebra::RowVector3::new(0.0, 0.0, 1.0));
             right[2] = self.restitution_factor * solved[2];
             solved = solve(matrix, &right);
@@ -54,7 +55,7 @@ impl System {
         landed
     }
 
-    /// The state after an impact on both corners at once: (15a) and (15b) with no rotation after.
+    /// The state after an impact on both corners at once: (15a) and (15b) without a rotation afterwards.
     pub fn settle(&self, before: Pole, y: &State) -> State {
         let r = before.sign() * self.arm(before);
         let mut settled = *y;
@@ -71,7 +72,7 @@ impl System {
         settled
     }
 
-    /// Mechanical energy, J: kinetic, gravity, and what the springs store; zero on the ground
+    /// The mechanical energy, J: the kinetic energy, that of gravity, and that of the springs; zero on the ground
     /// with springs at their natural length.
     pub fn energy(&self, phase: Phase, y: &State) -> f64 {
         let (m, h) = (self.mass, self.height);

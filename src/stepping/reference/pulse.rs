@@ -1,12 +1,11 @@
-//! The pulses as their authors print them, in seconds. Nothing here is shared with
-//! [`crate::model::pulse`] but the names.
+//! The pulses as their authors print them, in seconds. Only the names are shared with [`crate::model::pulse`].
 
 use std::f64::consts::{PI, TAU};
 
 use crate::model::pulse::Shape;
 use crate::scene::case;
 
-/// A pulse in time.
+/// A pulse as a function of time.
 #[derive(Debug, Clone, Copy)]
 pub struct Pulse {
     shape: Shape,
@@ -14,12 +13,12 @@ pub struct Pulse {
     cycles: f64,
     gamma: f64,
     nu: f64,
-    /// What its formula is divided by, so that its largest magnitude is 1.
+    /// The divisor of its formula, which makes its largest magnitude 1.
     peak: f64,
 }
 
 impl Pulse {
-    /// That of a cell.
+    /// The pulse of a cell.
     pub fn new(case: &case::Pulse) -> Pulse {
         let (shape, omega, cycles) = (case.shape, case.omega, case.cycles);
         let (gamma, nu) = (case.gamma, case.phase);
@@ -35,7 +34,7 @@ impl Pulse {
         pulse
     }
 
-    /// Its end, s.
+    /// The time of its end, s.
     pub fn end(&self) -> f64 {
         let period = TAU / self.omega;
         match self.shape {
@@ -47,10 +46,10 @@ impl Pulse {
         }
     }
 
-    /// The ground's acceleration over the amplitude at a time, s.
+    /// The acceleration of the ground over the amplitude at a time, s.
     pub fn wave(&self, t: f64) -> f64 {
         let period = TAU / self.omega;
-        // From the middle.
+        // The time from the middle.
         let tau = t - 0.5 * self.end();
         let formula = match self.shape {
             Shape::OneSine | Shape::HalfSine => (self.omega * t).sin(),
@@ -76,7 +75,7 @@ impl Pulse {
         -(slow.sin() * fast.cos() + self.gamma * fast.sin() * (1.0 + slow.cos()))
     }
 
-    /// Its largest magnitude, by samples and the parabola through the three about the largest.
+    /// The largest magnitude, from samples and the parabola through the three around the largest.
     fn largest(&self) -> f64 {
         const SAMPLES_A_PERIOD: f64 = 2000.0;
         let half = 0.5 * self.end();

@@ -10,30 +10,30 @@ use crate::scene::Case;
 /// A step whose error is within the tolerance.
 #[derive(Debug, Clone)]
 pub struct AcceptedStep {
-    /// Time at its end, s.
+    /// The time at its end, s.
     pub t: f64,
-    /// Its length, s.
+    /// The length of the step, s.
     pub h: f64,
-    /// State at its end.
+    /// The state at its end.
     pub y: State,
-    /// Time derivative there.
+    /// The time derivative at its end.
     pub rate: State,
-    /// What cut it short.
+    /// The guard that cut the step, if one did.
     pub guard: Option<Guard>,
 }
 
 /// The lengths of the steps of one cell.
 pub struct Stepper {
-    /// The step to try next, s.
+    /// The length of the next trial, s.
     next: f64,
-    /// Under a drive, and under none.
+    /// The longest steps: with a drive, and without one.
     longest: [f64; 2],
 }
 
 impl Stepper {
-    /// Before the first step.
+    /// The stepper before the first step.
     pub fn new(settings: &Settings, case: &Case) -> Stepper {
-        // A sixteenth of the shortest period, so that an uplift at its crest is not passed over.
+        // The limit is a sixteenth of the shortest period, so that an uplift at its crest is not missed.
         let base = &case.isolation;
         let periods = [base.horizontal.map(|law| law.t_h), base.vertical.map(|law| law.t_v)];
         let bound = |longest: f64, period: f64| longest.min(period / 16.0);
@@ -48,7 +48,7 @@ impl Stepper {
         loop {
             let left = stop - trial.t;
             let mut h = self.next.min(longest).min(left);
-            // The last step ends at `stop` exactly, and none is left over that is lost in t.
+            // The last step ends exactly at `stop`, so that no remainder is lost in t.
             let last = h >= left * (1.0 - 1.0e-9);
             if last {
                 h = left;
@@ -57,8 +57,8 @@ impl Stepper {
             let mut d1 = trial.rate_of(h, &y1);
             let mut guard = None;
             let mut cut = h;
-            // A step too long for the motion tells nothing of what happens before it is cut: what is
-            // left of it is looked through again.
+            // A step that is too long for the motion is no evidence of what happens before the cut: the rest of the
+            // step is searched again.
             loop {
                 let cubic = Cubic::new((trial.y, trial.rate), (&y1, &d1), cut);
                 match first_guard(trial, &cubic) {
@@ -72,7 +72,7 @@ impl Stepper {
                 }
             }
             if !error.is_finite() && cut > 1.0e-14 {
-                // The trial left the range of its law, as |z|^n does soon for a large n.
+                // The trial left the range of its law, as |z|^n soon does for a large n.
                 self.next = 0.2 * cut;
                 continue;
             }
@@ -81,7 +81,7 @@ impl Stepper {
                 self.next = grown;
                 continue;
             }
-            // A step cut at a guard says little of how long the next one may be.
+            // A step that is cut at a guard is little evidence of how long the next one may be.
             self.next = if guard.is_some() { self.next.max(grown) } else { grown };
             let end = if last && guard.is_none() { stop } else { trial.t + cut };
             return AcceptedStep { t: end, h: cut, y: y1, rate: d1, guard };

@@ -1,8 +1,6 @@
-//! The equations as the paper prints them, in masses and forces: (5) and (9)-(14), solved as the
-//! linear system that they are.
+//! The equations as the paper prints them, in masses and forces: (5) and (9)-(14), solved as a linear system.
 //!
-//! Nothing here is shared with [`crate::model`]: not the variables, not the elimination of the
-//! accelerations.
+//! Nothing here is shared with [`crate::model`]: neither the variables nor the elimination of the accelerations.
 
 use std::f64::consts::TAU;
 
@@ -58,14 +56,14 @@ impl Pole {
     }
 }
 
-/// What moves the ground, in a stretch of time in which it does so smoothly.
+/// The excitation of the ground, in an interval of time in which its motion is smooth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Drive {
     /// The pulse (22).
     Pulse,
-    /// The record, from its sample of this number (from 0) to the next.
+    /// The record, from the sample of this number (counted from 0) to the next.
     Between(usize),
-    /// Nothing.
+    /// No excitation.
     Free,
 }
 
@@ -75,11 +73,11 @@ pub type Phase = Option<Pole>;
 /// An end stop.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct EndStop {
-    /// Displacement at which it is met, m.
+    /// The displacement at which the base meets it, m.
     pub(super) gap: f64,
-    /// N/m.
+    /// The stiffness, N/m.
     pub(super) stiffness: f64,
-    /// N s/m.
+    /// The damping, N s/m.
     pub(super) damping: f64,
 }
 
@@ -98,14 +96,14 @@ pub struct System {
     pub(super) k_v: f64,
     pub(super) c_v: f64,
     pub(super) psi: f64,
-    /// What presses on the base's slider is not its weight alone.
+    /// True where the force on the slider of the base is not its weight alone.
     pub(super) pressed: bool,
     pub(super) stop: Option<EndStop>,
-    /// The side on which the base is against its stop in the step that is looked at.
+    /// The side on which the base is against its stop in the present step.
     pub(super) against: f64,
     /// v_c of a spring that hardens, m.
     pub(super) hardening: Option<f64>,
-    /// By which the base hangs at rest, where no linear spring decides it, m.
+    /// The static deflection of the base, where it does not follow from a linear spring, m.
     pub(super) deflection: Option<f64>,
     pub(super) u_y: f64,
     pub(super) n: i32,
@@ -117,7 +115,7 @@ pub struct System {
     pub(super) overturn: Overturn,
     /// The pulse, where no record shakes the base.
     pub(super) pulse: Option<Pulse>,
-    /// A_h, and A_v; the factor on a record's samples.
+    /// A_h and A_v; the factors on the samples of a record.
     pub(super) a_h: f64,
     pub(super) a_v: f64,
     pub(super) record: Option<Pair>,
@@ -190,13 +188,13 @@ impl System {
         system
     }
 
-    /// T_S, end of the pulse, s.
+    /// T_S, the end of the pulse, s.
     pub fn pulse_end(&self) -> f64 {
         self.pulse.map_or(0.0, |pulse| pulse.end())
     }
 
-    /// The stretches of a run up to `t_max` in which the ground's motion is smooth: their ends,
-    /// and what drives them.
+    /// The intervals of a run up to `t_max` in which the motion of the ground is smooth: their ends, and the
+    /// excitation in each.
     pub fn stretches(&self, t_max: f64) -> Vec<(f64, Drive)> {
         let mut stretches = Vec::new();
         match &self.record {
@@ -215,7 +213,7 @@ impl System {
         self.moves_h && self.psi < 1.0 && self.u_y > 0.0
     }
 
-    /// The phase that a run starts in.
+    /// The phase at the start of a run.
     pub fn first_phase(&self) -> Phase {
         match self.tilt {
             tilt if tilt > 0.0 => Some(Pole::Left),
@@ -224,7 +222,7 @@ impl System {
         }
     }
 
-    /// Rest, the base in static equilibrium, the block tilted if it starts so.
+    /// The state at rest: the base is in static equilibrium, and the block is tilted if it starts so.
     pub fn at_rest(&self) -> State {
         let mut y = State::zeros();
         if self.moves_v {
@@ -240,12 +238,12 @@ impl System {
         self.half_width + pole.sign() * self.offset
     }
 
-    /// Critical angle of section 2.6, rad.
+    /// The critical angle of section 2.6, rad.
     pub fn critical_angle(&self, pole: Pole) -> f64 {
         (self.arm(pole) / self.height).atan()
     }
 
-    /// Angle at which the block counts as overturned, rad.
+    /// The angle at which the block counts as overturned, rad.
     pub fn overturning_angle(&self, pole: Pole) -> f64 {
         match self.overturn {
             Overturn::CriticalAngle => self.critical_angle(pole),
@@ -253,7 +251,7 @@ impl System {
         }
     }
 
-    /// Accelerations of the ground.
+    /// The accelerations of the ground.
     pub(super) fn ground(&self, t: f64, drive: Drive) -> (f64, f64) {
         match (drive, &self.record) {
             (Drive::Pulse, _) => {
@@ -269,7 +267,8 @@ impl System {
         }
     }
 
-    /// F_h and F_v of (10), N, with the end stop; of a slider that is pressed by more than its weight the rest alone.
+    /// F_h and F_v of (10), N, with the end stop. If the force on the slider is not its weight alone, the force of
+    /// the slider is left out.
     fn forces(&self, y: &State) -> (f64, f64) {
         let hysteretic = self.k_h * self.u_y * (1.0 - self.psi) * y[Z];
         let spring = if self.pressed { 0.0 } else { self.psi * self.k_h * y[U] + hysteretic };
@@ -284,14 +283,14 @@ impl System {
         let total_h = self.mass + self.plate_h + self.plate_v;
         let total_v = self.mass + self.plate_v;
         let m = self.mass;
-        // What presses on the slider without the block's rotation: the plate m_h and what stands on it.
+        // The force on the slider without the rotation of the block: the plate m_h and the masses above it.
         let above = if self.moves_v { f_v } else { total_v * (GRAVITY + vg) };
         let pressure = self.plate_h * (GRAVITY + vg) + above;
         let slope = if self.pressed { self.slope(y) } else { 0.0 };
         let mut right = Vector3::new(f_h - total_h * ug, f_v - total_v * (vg + GRAVITY), 0.0);
         let Some(pole) = phase else {
             right[0] -= slope * pressure.max(0.0);
-            // (5): each direction for itself.
+            // (5): the directions are independent of each other.
             let free = |moves: bool, force: f64, mass: f64| if moves { force / mass } else { 0.0 };
             return Vector3::new(
                 free(self.moves_h, right[0], total_h),
@@ -299,7 +298,7 @@ impl System {
                 0.0,
             );
         };
-        // (9a)-(9c), the unknown accelerations on the left.
+        // (9a)-(9c), with the unknown accelerations on the left.
         let mut matrix = Matrix3::from_diagonal(&Vector3::new(total_h, total_v, 1.0));
         let (s, b, h) = (pole.sign(), self.arm(pole), self.height);
         let (sin, cos) = y[PHI].sin_cos();
@@ -325,13 +324,14 @@ impl System {
         } else if self.pressed {
             return self.slide(slope, pressure, pole, y, (matrix, right));
         }
-        // Singular only for a block without inertia, which a scene cannot have; the caller sees
-        // a state that is not a number and stops.
+        // The matrix is singular only for a block without inertia, which a scene cannot have; the caller finds a
+        // state that is NaN and stops.
         matrix.try_inverse().map_or(Vector3::repeat(f64::NAN), |inverse| inverse * right)
     }
 
-    /// The accelerations where the vertical direction is locked and the rotation, too, presses on the slider: by
-    /// M (Q phi'' - P phi'^2) more than the `pressure` of a block at rest. Nothing slides where that lifts the base.
+    /// The accelerations where the vertical direction is locked and the rotation changes the force on the slider,
+    /// too: by M (Q phi'' - P phi'^2) more than the `pressure` of a block at rest. The slider has no force where the
+    /// block lifts the base.
     fn slide(
         &self,
         slope: f64,
@@ -358,7 +358,7 @@ impl System {
         solve(matrix, right)
     }
 
-    /// Time derivative of a state; (11) for z.
+    /// The time derivative of a state; (11) for z.
     pub fn derivative(&self, phase: Phase, t: f64, drive: Drive, y: &State) -> State {
         let a = self.accelerations(phase, t, drive, y);
         let mut dz = 0.0;
@@ -369,22 +369,21 @@ impl System {
         State::from([y[DU], y[DV], y[DPHI], a[0], a[1], a[2], dz])
     }
 
-    /// X and Y of (14): the accelerations of the block's centre in full contact, gravity in the second.
+    /// X and Y of (14): the accelerations of the centre of the block in full contact, with gravity in the second.
     fn pushes(&self, t: f64, drive: Drive, y: &State) -> (f64, f64) {
         let (ug, vg) = self.ground(t, drive);
         let a = self.accelerations(None, t, drive, y);
         (a[0] + ug, a[1] + vg + GRAVITY)
     }
 
-    /// (14) about a corner: the left side less the right, m/s^2; positive where the block lifts.
+    /// (14) about a corner: the left side minus the right side, m/s^2; positive where the block lifts.
     pub fn uplift(&self, pole: Pole, t: f64, drive: Drive, y: &State) -> f64 {
         let (x, normal) = self.pushes(t, drive, y);
         pole.sign() * x - self.arm(pole) / self.height * normal
     }
 
-    /// The larger of both corners' [`uplift`](System::uplift), and its corner. They are moments over
-    /// M H: where both corners lift at the same instant, the larger one decides; of two that are equal
-    /// the left.
+    /// The larger [`uplift`](System::uplift) of both corners, and its corner. They are moments over M H: where both
+    /// corners lift at the same instant, the larger one decides; if they are equal, the left one.
     pub fn lift(&self, t: f64, drive: Drive, y: &State) -> (f64, Pole) {
         let (x, normal) = self.pushes(t, drive, y);
         let moment = |pole: Pole| pole.sign() * x - self.arm(pole) / self.height * normal;
@@ -397,13 +396,13 @@ impl System {
         self.ground(t, drive).0 + ddu
     }
 
-    /// Normal and horizontal force between block and base over M, m/s^2.
+    /// The normal and the horizontal force between block and base over M, m/s^2.
     pub fn contact(&self, phase: Phase, t: f64, drive: Drive, y: &State) -> (f64, f64) {
         self.contact_of(phase, t, drive, y, &self.accelerations(phase, t, drive, y))
     }
 
-    /// The same from the accelerations of u, v and phi: from that of the centre of mass, the second
-    /// derivative of (6).
+    /// The same from the accelerations of u, v and phi, by the acceleration of the centre of mass, which is the
+    /// second derivative of (6).
     pub fn contact_of(
         &self,
         phase: Phase,

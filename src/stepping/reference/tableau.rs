@@ -146,8 +146,8 @@ pub const E5: [f64; STAGES] = [
 mod tests {
     use super::{A, B, C, E3, E5, STAGES};
 
-    /// Conditions of order on nodes and weights; a wrong digit anywhere breaks one of them. The
-    /// coefficients carry 16 digits and are up to 44 in size.
+    /// Conditions of order on the nodes and weights; a wrong digit in any coefficient breaks one of them. The
+    /// coefficients have 16 digits and are up to 44 in size.
     #[test]
     fn the_conditions_of_order_hold() {
         for i in 0..STAGES {

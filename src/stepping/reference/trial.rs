@@ -1,33 +1,33 @@
-//! Trials of a step: where it begins, and where a step of a given length ends.
+//! Trials of a step: where a step of a given length begins and ends.
 
 use super::system::{Drive, Phase, State, System};
 use super::tableau::{A, B, C, E3, E5, STAGES};
 
-/// Absolute tolerance over relative: displacements and angles of interest are a hundredth of a
+/// The absolute tolerance over the relative one: the displacements and angles of interest are about a hundredth of a
 /// metre and of a radian, their rates and z about one.
 const SCALE: [f64; 7] = [0.01, 0.01, 0.01, 0.1, 0.1, 0.1, 0.1];
 
-/// A step to be taken, of any length, while phase and drive stay as they are.
+/// A step of any length, during which the phase and the excitation do not change.
 #[derive(Debug, Clone, Copy)]
 pub struct Trial<'a> {
     /// The cell.
     pub system: &'a System,
     /// Relative tolerance of a step.
     pub tolerance: f64,
-    /// Phase.
+    /// The phase.
     pub phase: Phase,
-    /// What drives the ground.
+    /// The excitation of the ground.
     pub drive: Drive,
-    /// Time at the start, s.
+    /// The time at the start, s.
     pub t: f64,
-    /// State at the start.
+    /// The state at the start.
     pub y: &'a State,
-    /// Its time derivative.
+    /// The time derivative at the start.
     pub rate: &'a State,
 }
 
 impl Trial<'_> {
-    /// The time derivative of a state at a time from the start.
+    /// The time derivative of a state at a time from the start of the step.
     pub fn rate_of(&self, after: f64, y: &State) -> State {
         self.system.derivative(self.phase, self.t + after, self.drive, y)
     }

@@ -256,6 +256,65 @@ fn recordings_are_counted_by_their_stations() {
     assert!(code == 0 && said.contains("4 motions of 2 recordings"), "{said}");
 }
 
+/// One horizontal file beside no vertical and two of zeros, and two files beside the same zeros.
+#[test]
+fn one_horizontal_file_is_one_recording_whatever_stands_beside_it() {
+    let folder = TempDir::new().unwrap();
+    let at = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
+    let mut motion = Motion::made(200, Some(90));
+    at("h.txt", &motion.column().text);
+    motion.samples.reverse();
+    at("other.txt", &motion.column().text);
+    at("zero.txt", &"0.0\n".repeat(200));
+    at("minus.txt", &"-0.0\n".repeat(200));
+    let list = "id,horizontal,vertical,dt,units\na,h.txt,,0.01,m/s2\nb,h.txt,zero.txt,0.01,m/s2\n\
+                c,h.txt,minus.txt,0.01,m/s2\nd,other.txt,zero.txt,0.01,m/s2\n";
+    at("list.csv", list);
+    let (code, said) = told(&folder.path().join("list.csv"), &["--strict"]);
+    assert!(code == 0 && said.contains("4 motions of 2 recordings"), "{said}");
+    // What is named is known by its names.
+    let named = list.replace("id,", "event,station,id,").replace("\na,", "\nE,S,a,");
+    let named = named.replace("\nb,", "\nE,S,b,").replace("\nc,", "\nE,T,c,");
+    at("list.csv", &named.replace("\nd,", "\nF,S,d,"));
+    let (code, said) = told(&folder.path().join("list.csv"), &["--strict"]);
+    assert!(code == 0 && said.contains("4 motions of 3 recordings"), "{said}");
+}
+
+/// A link to a folder may lead out of the suite: it is not followed, and no file of the same name is taken in its place.
+#[cfg(unix)]
+#[test]
+fn files_behind_a_link_to_a_folder_are_told() {
+    use std::os::unix::fs::symlink;
+    let (folder, elsewhere) = (records(), TempDir::new().unwrap());
+    put(elsewhere.path(), "B090.AT2", Some(90));
+    put(elsewhere.path(), "A090.AT2", Some(0));
+    symlink(elsewhere.path(), folder.path().join("link")).unwrap();
+    let list = "id,horizontal,vertical\na,A090.AT2,A-UP.AT2\nb,link/B090.AT2,A-UP.AT2\n\
+                c,link/A090.AT2,A-UP.AT2\nd,link/C090.AT2,A-UP.AT2\n";
+    fs::write(folder.path().join("list.csv"), list).unwrap();
+    let suite = Suite::read(folder.path(), false).unwrap();
+    let why = |id: &str| suite.left_out().find(|(entry, _)| entry.id == id).unwrap().1.to_string();
+    let said = "lies behind link, a link to a folder, and links to folders are not followed; put";
+    assert!(why("b").starts_with(&format!("link/B090.AT2 {said}")), "{}", why("b"));
+    assert!(why("c").starts_with(&format!("link/A090.AT2 {said}")), "{}", why("c"));
+    assert_eq!(why("d"), "link/C090.AT2 is in the list and not among the files");
+    let unused: Vec<_> = suite.unused.iter().map(|one| (&*one.file, &*one.why)).collect();
+    let what = "a link to a folder, which is not followed; put the files themselves there";
+    assert_eq!(unused, [("link", what)]);
+}
+
+/// A fault in PEER's list is told with its line in the file, above which words stand.
+#[test]
+fn a_fault_of_a_download_is_told_with_its_line() {
+    let folder = records();
+    let list = "Words\n\nResult ID,Record Sequence Number,Earthquake Name,Year,Station Name,Scale Factor,\
+                Horizontal-1 Acc. Filename,Horizontal-2 Acc. Filename,Vertical Acc. Filename\n\
+                1,7,\"E\n F\",1990,S,1,A090.AT2,,A-UP.AT2\n2,8,E,1990,S,two,A090.AT2,,A-UP.AT2\n";
+    fs::write(folder.path().join("_SearchResults.csv"), list).unwrap();
+    let error = Suite::read(folder.path(), false).unwrap_err().to_string();
+    assert!(error.contains("_SearchResults.csv: line 6: a scale factor of 'two'; give"), "{error}");
+}
+
 /// Unlike files in one folder: each is told with what it is, and strictly none may be left.
 #[test]
 fn every_file_that_is_not_used_is_told() {

@@ -370,6 +370,10 @@ fn lists_of_ones_own_are_read() {
         ("id,horizontal\n\na,x\n\na,y\n", "line 5: the id a stands twice"),
         ("horizontal,units\nx,ft\n", "line 2: units ft are not known; give g, m/s2, cm/s2 or gal"),
         ("id,horizontal\na,x\na,y\n", "line 3: the id a stands twice"),
+        ("id,horizontal\n\"a\nb\",x\n\nc,y\nc,y\n", "line 6: the id c stands twice"),
+        ("id,horizontal\n\"a\n\nb\",x\nc\n", "line 5: 1 fields where the heading has 2"),
+        ("sep=;\r\nid;horizontal;scale\r\na;x;two\r\n", "line 3: scale two must be a positive"),
+        ("sep=;\n\nid;colour\na;x\n", "line 3: no column 'horizontal'"),
         ("horizontal\n", "no line below its heading"),
     ] {
         let error = read(text).unwrap_err().to_string();

@@ -5,6 +5,7 @@ use std::sync::LazyLock;
 use super::{FONT, SMALLEST, font};
 use topple::results::colour::{BLACK, Colour};
 use topple::scene::parameters::PARAMETERS;
+use topple::scene::shown::is_hidden;
 
 /// Which end of a text its place is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -119,7 +120,7 @@ fn index_size(size: f64) -> f64 {
 }
 
 /// A character as SVG writes it. A space that no line ends at is a space; characters that XML does not know
-/// are left out.
+/// are left out, and those that nobody sees.
 fn push_escaped(text: &mut String, character: char) {
     match character {
         '&' => text.push_str("&amp;"),
@@ -128,7 +129,7 @@ fn push_escaped(text: &mut String, character: char) {
         '"' => text.push_str("&quot;"),
         '\'' => text.push_str("&apos;"),
         '\u{a0}' | '\t' | '\n' | '\r' => text.push(' '),
-        c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
+        c if is_hidden(c) || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
         c => text.push(c),
     }
 }

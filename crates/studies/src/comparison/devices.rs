@@ -107,10 +107,7 @@ pub fn read(text: &str, shared: &SceneBuilder) -> Result<Vec<Device>, DevicesErr
         column: column.map(String::from),
         problem,
     };
-    let begins = text.trim_start_matches('\u{feff}');
-    let plain = delimited::plain(begins);
-    // A first line that tells the separator is not among those of the plain text.
-    let before = u64::from(begins.trim_start().to_ascii_lowercase().starts_with("sep="));
+    let plain = delimited::plain(text.trim_start_matches('\u{feff}'));
     let heading = plain.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
@@ -123,9 +120,9 @@ pub fn read(text: &str, shared: &SceneBuilder) -> Result<Vec<Device>, DevicesErr
     for row in reader.records() {
         let row = row.map_err(|error| {
             let at = error.position().map_or(1, csv::Position::line);
-            refused(at + before, None, format!("{error}; give text with commas between"))
+            refused(at, None, format!("{error}; give text with commas between"))
         })?;
-        let line = row.position().map_or(1, |at| line_of(&plain, at)) + before;
+        let line = row.position().map_or(1, |at| delimited::line(&plain, at) as u64);
         if row.iter().all(str::is_empty) {
             continue;
         }
@@ -161,14 +158,6 @@ pub fn read(text: &str, shared: &SceneBuilder) -> Result<Vec<Device>, DevicesErr
         return Err(refused(1, None, problem));
     }
     Ok(devices)
-}
-
-/// The line of a row: its position is that of the empty lines before it.
-fn line_of(text: &str, at: &csv::Position) -> u64 {
-    let bytes = text.as_bytes();
-    let from = (at.byte() as usize).min(bytes.len());
-    let empty = bytes[from..].iter().take_while(|byte| b"\r\n".contains(byte)).count();
-    1 + bytes[..from + empty].iter().filter(|byte| **byte == b'\n').count() as u64
 }
 
 /// The columns of the heading.

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use super::compared::{Compared, Comparison};
-use crate::suites::columns::{self, TableColumn, name, number};
+use crate::suites::columns::{self, TableColumn, known, name, number};
 use topple::results::csv::Number;
 
 /// The columns that are always there.
@@ -66,17 +66,11 @@ pub fn write(comparison: &Comparison, writer: impl Write) -> io::Result<()> {
     let mut table = csv::Writer::from_writer(writer);
     let settings = &comparison.settings;
     let (reserves, rates) = (!settings.scales.is_empty(), settings.hazard.is_some());
-    let mut names: Vec<String> = columns::names(&COLUMNS).map(String::from).collect();
-    if reserves {
-        names.extend(columns::names(&RESERVE).map(String::from));
-    }
-    if rates {
-        names.extend(columns::names(&RATES).map(String::from));
-    }
-    let others = settings.columns.iter().flat_map(|column| columns::further(*column));
-    names.extend(others.map(|(name, ..)| name));
-    table.write_record(names)?;
-    let known = |value: f64| (!value.is_nan()).then_some(Number(value));
+    let of_reserve: &[TableColumn] = if reserves { &RESERVE } else { &[] };
+    let of_rate: &[TableColumn] = if rates { &RATES } else { &[] };
+    let own = [&COLUMNS, of_reserve, of_rate].concat();
+    let further = columns::further_names(&settings.columns);
+    table.write_record(columns::names(&own).map(String::from).chain(further))?;
     let records = comparison.records();
     for (name, Compared { cell, lifted, columns, reserve, rate, .. }) in comparison.rows() {
         let (u, v) = (cell.max_u.map(known), cell.stroke_v.map(known));
@@ -98,7 +92,7 @@ pub fn write(comparison: &Comparison, writer: impl Write) -> io::Result<()> {
             .map(|value| value.map(Number))
         });
         let own = (name, records, shares, u, v, Number(cell.overturned), within, feasible);
-        let of_columns: Vec<_> = columns.iter().flatten().map(|value| known(*value)).collect();
+        let of_columns: Vec<_> = columns.iter().flatten().copied().map(known).collect();
         // A part that nobody asks for is no field, an empty one is.
         let of_reserve: Vec<_> = of_reserve.into_iter().flatten().collect();
         let of_rate: Vec<_> = of_rate.into_iter().flatten().collect();

@@ -2,54 +2,19 @@
 
 use std::io::Write;
 
-use serde::Serialize;
-
 use super::estimate::Estimate;
 use super::hazard::in_50_years;
 use super::limit_state::LimitState;
 use super::rates::RateEstimate;
 use super::study::{CellStudy, StateStudy, Study};
 use super::table_columns::{CAPACITIES, COUNTS, FITS, POINTS, RATES, RUNS, SENSITIVITY};
-use crate::suites::columns::{self, TableColumn};
+use crate::suites::columns;
+use crate::suites::grid_table::GridTable;
 use topple::results::csv::Number;
 
 /// A number that may be missing.
 fn known(value: Option<f64>) -> Option<Number> {
     value.filter(|value| value.is_finite()).map(Number)
-}
-
-/// A table of a study, whose rows begin with the axes of their cell.
-struct Table<'a, W: Write> {
-    study: &'a Study,
-    csv: csv::Writer<W>,
-}
-
-impl<'a, W: Write> Table<'a, W> {
-    /// Begins a table with its header: the axes, then its columns.
-    fn begin(study: &'a Study, writer: W, own: &[TableColumn]) -> csv::Result<Table<'a, W>> {
-        Table::named(study, writer, columns::names(own))
-    }
-
-    /// The same with the names of its columns.
-    fn named<'b>(
-        study: &'a Study,
-        writer: W,
-        names: impl Iterator<Item = &'b str>,
-    ) -> csv::Result<Table<'a, W>> {
-        let mut csv = csv::Writer::from_writer(writer);
-        let keys = columns::keys(&study.sweep.grid).map(|key| -> &'b str { key });
-        csv.write_record(keys.chain(names))?;
-        Ok(Table { study, csv })
-    }
-
-    /// Writes a row of a cell.
-    fn row(&mut self, cell: usize, values: impl Serialize) -> csv::Result<()> {
-        self.csv.serialize((columns::values(&self.study.sweep.grid, cell), values))
-    }
-
-    fn end(mut self) -> csv::Result<()> {
-        Ok(self.csv.flush()?)
-    }
 }
 
 /// Every limit state of every cell, with the cell's number.
@@ -76,7 +41,7 @@ fn estimates(study: &Study) -> impl Iterator<Item = (usize, &LimitState, &'stati
 /// # Errors
 /// Those of the writer.
 pub fn write_counts(study: &Study, writer: impl Write) -> csv::Result<()> {
-    let mut table = Table::begin(study, writer, &COUNTS)?;
+    let mut table = GridTable::begin(&study.sweep.grid, writer, columns::names(&COUNTS))?;
     for (cell, state, of) in states(study) {
         for (level, records, failed) in &of.counts {
             table.row(cell, (state, Number(*level), records, failed))?;
@@ -90,7 +55,7 @@ pub fn write_counts(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// # Errors
 /// Those of the writer.
 pub fn write_fits(study: &Study, writer: impl Write) -> csv::Result<()> {
-    let mut table = Table::begin(study, writer, &FITS)?;
+    let mut table = GridTable::begin(&study.sweep.grid, writer, columns::names(&FITS))?;
     for (cell, state, name, fit) in estimates(study) {
         let theta = [fit.theta, fit.theta_low, fit.theta_high].map(known);
         let beta = [fit.beta, fit.beta_low, fit.beta_high].map(known);
@@ -104,7 +69,7 @@ pub fn write_fits(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// # Errors
 /// Those of the writer.
 pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
-    let mut table = Table::begin(study, writer, &RUNS)?;
+    let mut table = GridTable::begin(&study.sweep.grid, writer, columns::names(&RUNS))?;
     let cells = study.sweep.grid.len();
     for cell in 0..cells {
         for (motion, levels) in study.sweep.motions.iter().zip(&study.settings.levels) {
@@ -126,7 +91,7 @@ pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// # Errors
 /// Those of the writer.
 pub fn write_capacities(study: &Study, writer: impl Write) -> csv::Result<()> {
-    let mut table = Table::begin(study, writer, &CAPACITIES)?;
+    let mut table = GridTable::begin(&study.sweep.grid, writer, columns::names(&CAPACITIES))?;
     for (number, cell) in study.cells.iter().enumerate() {
         for (record, capacity) in study.records().zip(&cell.capacities) {
             let lowest = known(capacity.map(|capacity| capacity.lowest));
@@ -144,7 +109,7 @@ pub fn write_capacities(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// Those of the writer.
 pub fn write_sensitivity(study: &Study, writer: impl Write) -> csv::Result<()> {
     let Some(unknown) = &study.settings.unknown else { return Ok(()) };
-    let mut table = Table::begin(study, writer, &SENSITIVITY)?;
+    let mut table = GridTable::begin(&study.sweep.grid, writer, columns::names(&SENSITIVITY))?;
     for (cell, state, of) in states(study) {
         let indices = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.indices);
         for (varied, one) in unknown.varied.iter().zip(indices) {
@@ -166,7 +131,7 @@ pub fn write_points(study: &Study, writer: impl Write) -> csv::Result<()> {
     let drawn: Vec<String> = drawn.collect();
     let [state, curve @ ..] = POINTS.map(|column| column.name);
     let names = [state].into_iter().chain(drawn.iter().map(String::as_str)).chain(curve);
-    let mut table = Table::named(study, writer, names)?;
+    let mut table = GridTable::begin(&study.sweep.grid, writer, names)?;
     for (cell, state, of) in states(study) {
         let curves = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.curves);
         for (point, curve) in unknown.design.rows().zip(curves) {
@@ -184,7 +149,7 @@ pub fn write_points(study: &Study, writer: impl Write) -> csv::Result<()> {
 /// # Errors
 /// Those of the writer.
 pub fn write_rates(study: &Study, target: Option<f64>, writer: impl Write) -> csv::Result<()> {
-    let mut table = Table::begin(study, writer, &RATES)?;
+    let mut table = GridTable::begin(&study.sweep.grid, writer, columns::names(&RATES))?;
     for (cell, state, of) in states(study) {
         for (estimator, fit) in study.settings.estimators.iter().zip(&of.estimates) {
             let rate = fit.rate.as_ref();

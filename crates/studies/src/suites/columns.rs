@@ -58,6 +58,11 @@ pub fn names(columns: &[TableColumn]) -> impl Iterator<Item = &'static str> {
     columns.iter().map(|column| column.name)
 }
 
+/// A number of a table; empty where it is not known.
+pub(crate) fn known(value: f64) -> Option<Number> {
+    (!value.is_nan()).then_some(Number(value))
+}
+
 /// Percentiles of a column of a map, as parts of a table's names.
 const SHARES: [&str; 3] = ["50", "84", "100"];
 
@@ -72,6 +77,11 @@ pub fn further(column: Column) -> [(String, &'static str, String); 3] {
         );
         (format!("{}_{share}", entry.name), unit, meaning)
     })
+}
+
+/// The names of those of several columns.
+pub(crate) fn further_names(columns: &[Column]) -> impl Iterator<Item = String> {
+    columns.iter().flat_map(|column| further(*column)).map(|(name, ..)| name)
 }
 
 /// The columns that a table has beside the strokes, which every one has: of all columns those that have percentiles.

@@ -12,11 +12,11 @@ pub(crate) fn separator(heading: &str) -> char {
     SEPARATORS.into_iter().rev().max_by_key(|separator| count(*separator)).unwrap_or(',')
 }
 
-/// The text without what spreadsheets add: a first line `sep=;`, and quotes around whole lines.
+/// The text without what spreadsheets add, line by line: a first line `sep=;` is empty, and lines have no quotes around them.
 pub(crate) fn plain(text: &str) -> Cow<'_, str> {
     let text = match text.lines().next() {
         Some(first) if first.trim().to_ascii_lowercase().starts_with("sep=") => {
-            text.get(first.len()..).unwrap_or_default().trim_start_matches(['\r', '\n'])
+            text.get(first.len()..).unwrap_or_default()
         }
         _ => text,
     };
@@ -41,6 +41,13 @@ fn within_quotes(line: &str) -> Option<&str> {
     (!single && inner.contains(SEPARATORS)).then_some(inner)
 }
 
+/// The line of the row that follows a place in the text, which is that of the empty lines before the row.
+pub(crate) fn line(text: &str, at: &csv::Position) -> usize {
+    let rest = text.as_bytes().get(at.byte() as usize..).unwrap_or_default();
+    let empty = rest.iter().take_while(|byte| b"\r\n".contains(byte));
+    at.line() as usize + empty.filter(|byte| **byte == b'\n').count()
+}
+
 /// A number of a table; beside other separators than commas, and alone, a comma is a decimal one.
 pub(crate) fn number(text: &str) -> Option<f64> {
     let text = text.trim();
@@ -63,7 +70,7 @@ mod tests {
         assert_eq!(separator("id;horizontal;vertical"), ';');
         assert_eq!(separator("id\thorizontal"), '\t');
         assert_eq!(separator("horizontal"), ',');
-        assert_eq!(plain("sep=;\r\nid;x\n1;2\n"), "id;x\n1;2\n");
+        assert_eq!(plain("sep=;\r\nid;x\n1;2\n"), "\r\nid;x\n1;2\n");
         assert_eq!(plain("\"id,x\"\n\"1,\"\"a, b\"\"\"\n"), "id,x\n1,\"a, b\"\n");
         assert_eq!(plain("\"id\",\"x\"\n"), "\"id\",\"x\"\n");
         assert_eq!(plain("id,x\n"), "id,x\n");

@@ -48,16 +48,6 @@ pub struct Motion {
 }
 
 impl Entry {
-    /// What its recording is known by: the earthquake and the station; where the station is not known, the file of the
-    /// vertical, which both horizontals share; else its own.
-    pub fn recording(&self) -> (&str, &str) {
-        match (self.station.as_str(), &self.vertical) {
-            ("", Some(vertical)) => ("", vertical),
-            ("", None) => ("", &self.horizontal),
-            (station, _) => (&self.event, station),
-        }
-    }
-
     /// One of a horizontal file, called by its name.
     pub fn of(horizontal: &str) -> Entry {
         let file = horizontal.rsplit('/').next().unwrap_or(horizontal);

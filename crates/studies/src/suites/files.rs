@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::fs::{self, File};
 use std::io::{self, BufReader, Read};
 use std::ops::Deref;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -121,11 +121,17 @@ impl Files {
         let folder = of.rsplit_once('/').map_or(String::new(), |(folder, _)| format!("{folder}/"));
         let beside = format!("{folder}{plain}");
         let none = || format!("{listed} is in the list and not among the files");
-        let alike = self.alike.get(&bare(plain)).ok_or_else(none)?;
+        let alike = self.alike.get(&bare(plain)).map_or(&[][..], Vec::as_slice);
         let alike: Vec<&str> = alike.iter().map(|number| self.names[*number].as_str()).collect();
         let same = |wanted: &str| alike.iter().copied().find(|name| *name == wanted);
         if let Some(same) = same(&beside).or_else(|| same(plain)) {
             return Ok(same);
+        }
+        if let Some(link) = [&beside, plain].into_iter().find_map(|name| self.link(name)) {
+            return Err(format!(
+                "{listed} lies behind {link}, a link to a folder, and links to folders are not followed; put the files \
+                 themselves, or links to them, beside the list"
+            ));
         }
         // Folders that they have in common, from the file on.
         let common = |name: &str| {
@@ -141,6 +147,18 @@ impl Files {
             }
             _ => Err(none()),
         }
+    }
+
+    /// The link to a folder that a file lies behind.
+    fn link(&self, name: &str) -> Option<String> {
+        let parts = Path::new(name).components().map(|part| match part {
+            Component::Normal(part) => part.to_str(),
+            _ => None,
+        });
+        let parts: Vec<&str> = parts.collect::<Option<_>>()?;
+        let folders = (1..parts.len()).map(|count| parts[..count].join("/"));
+        let found = self.archive.is_none() && self.path(name).is_file();
+        folders.filter(|_| found).find(|folder| self.path(folder).is_symlink())
     }
 
     /// True where there is a file of such a name in some folder.
@@ -213,7 +231,8 @@ fn unreadable(place: &Path, reason: String) -> SuiteError {
     SuiteError::Zip { path: place.into(), reason }
 }
 
-/// Adds the names of a folder's files, `before` before them; folders that are links are passed over.
+/// Adds the names of a folder's files, `before` before them. A link to a folder is not followed, as it may lead out of the suite
+/// or round in a circle; its own name stands among the files, and is told as one that is not used.
 fn look(folder: &Path, before: &str, depth: usize, names: &mut Vec<String>) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
         let entry = entry?;

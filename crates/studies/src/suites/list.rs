@@ -110,7 +110,8 @@ pub fn is_measures(text: &str) -> bool {
 /// The entries of a list; its files lie beside it, or below.
 pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, String> {
     let text = &*delimited::plain(text);
-    let heading = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+    let mut written = text.lines().zip(1..).filter(|(line, _)| !line.trim().is_empty());
+    let (heading, first) = written.next().unwrap_or(("", 1));
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .delimiter(delimited::separator(heading) as u8)
@@ -118,24 +119,22 @@ pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, String>
     let names = reader.headers().map_err(|error| error.to_string())?;
     let names: csv::StringRecord = names.iter().map(|name| name.trim().to_lowercase()).collect();
     if !names.iter().any(|heading| heading == "horizontal") {
-        return Err(
-            "line 1: no column 'horizontal'; give id,horizontal,vertical,dt,units,scale,weight with commas between, or \
-             the list of a download from PEER"
-                .into(),
-        );
+        return Err(format!(
+            "line {first}: no column 'horizontal'; give id,horizontal,vertical,dt,units,scale,weight with commas between, \
+             or the list of a download from PEER"
+        ));
     }
     if let Some(other) = names.iter().find(|name| !COLUMNS.contains(name) && !name.is_empty()) {
         return Err(format!(
-            "line 1: no column is called '{other}'; there are {}",
+            "line {first}: no column is called '{other}'; there are {}",
             COLUMNS.join(",")
         ));
     }
-    // Empty lines are no rows.
-    let written = text.lines().enumerate().filter(|(_, line)| !line.is_empty());
-    let lines: Vec<usize> = written.map(|(number, _)| number + 1).collect();
     let (mut entries, mut ids) = (Vec::<Entry>::new(), BTreeSet::new());
-    for (number, row) in reader.records().enumerate() {
-        let at = lines.get(number + 1).copied().unwrap_or(number + 2);
+    let mut rows = reader.into_records();
+    loop {
+        let at = delimited::line(text, rows.reader().position());
+        let Some(row) = rows.next() else { break };
         within(at, entries.len())?;
         // Spreadsheets leave separators at the ends of rows; what stands there has no name.
         let unnamed = row

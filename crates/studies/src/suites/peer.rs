@@ -6,6 +6,7 @@ use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
 use super::list::within;
 use topple::scene::record::text::printable;
+use topple::scene::shown::shown;
 
 /// How the heading of its table begins.
 const HEADING: &str = "Result ID";
@@ -46,7 +47,8 @@ pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, String>
     let text = &*delimited::plain(text);
     let separator =
         delimited::separator(text.lines().find(|line| is_heading(line)).unwrap_or_default());
-    let lines = text.lines().skip_while(|line| !is_heading(line));
+    let before = text.lines().take_while(|line| !is_heading(line)).count();
+    let lines = text.lines().skip(before);
     let table: String = lines.map(|line| format!("{}\n", tight(line, separator))).collect();
     let mut reader = csv::ReaderBuilder::new()
         .flexible(true)
@@ -74,18 +76,20 @@ pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, String>
         if field(number).parse::<u64>().is_err() {
             break;
         }
-        let at = row.position().map_or(0, |place| place.line() as usize);
-        let factor =
-            match field(scale) {
-                "" => None,
-                text => Some(delimited::number(text).filter(|factor| *factor > 0.0).ok_or_else(
-                    || format!("its table has a scale factor of '{text}'; give a positive number"),
-                )?),
-            };
+        let at = before + row.position().map_or(0, |place| delimited::line(&table, place));
+        let factor = match field(scale) {
+            "" => None,
+            text => {
+                Some(delimited::number(text).filter(|factor| *factor > 0.0).ok_or_else(|| {
+                    format!(
+                        "line {at}: a scale factor of '{}'; give a positive number",
+                        shown(text)
+                    )
+                })?)
+            }
+        };
         if let Some(factor) = factor.filter(|factor| *factor > MOST_FACTOR) {
-            return Err(format!(
-                "its table has a scale factor of {factor:e}, above {MOST_FACTOR:e}"
-            ));
+            return Err(format!("line {at}: a scale factor of {factor:e}, above {MOST_FACTOR:e}"));
         }
         within(at, entries.len())?;
         for listed in horizontals.map(field).into_iter().filter(|name| !name.is_empty()) {

@@ -1,10 +1,10 @@
 //! What is drawn for the intervals: events, recordings or motions.
 
-use std::collections::HashMap;
 use std::fmt;
 
 use serde::{Serialize, Serializer};
 
+use super::recordings::numbered;
 use super::{Entry, Suite};
 use topple::scene::SceneError;
 
@@ -96,7 +96,7 @@ impl Groups {
         let motions = entries.len() * directions;
         let (of, count) = match by {
             Resample::Event => (events, count),
-            Resample::Recording => numbered(entries.iter().map(|entry| recording(entry))),
+            Resample::Recording => suite.recordings(),
             Resample::Motion => {
                 return Ok(Groups {
                     by,
@@ -109,25 +109,4 @@ impl Groups {
         let of = of.into_iter().flat_map(|group| vec![group; directions]).collect();
         Ok(Groups { by, of, count, events: known })
     }
-}
-
-/// What components of a station in an earthquake have in common: both names; where one of them is missing, the vertical
-/// component, which both horizontal ones have.
-fn recording(entry: &Entry) -> (&str, &str, &str) {
-    match (entry.event.as_str(), entry.station.as_str(), &entry.vertical) {
-        (event, station, _) if !event.is_empty() && !station.is_empty() => (event, station, ""),
-        (_, _, Some(vertical)) => ("", "", vertical),
-        (_, _, None) => ("", "", &entry.horizontal),
-    }
-}
-
-/// Numbers in the place of keys, in the order of their first place, and how many there are.
-fn numbered<K: std::hash::Hash + Eq>(keys: impl Iterator<Item = K>) -> (Vec<usize>, usize) {
-    let mut numbers = HashMap::new();
-    let number = |key| {
-        let next = numbers.len();
-        *numbers.entry(key).or_insert(next)
-    };
-    let of = keys.map(number).collect();
-    (of, numbers.len())
 }

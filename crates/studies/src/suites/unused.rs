@@ -57,6 +57,11 @@ fn why(name: &str, files: &Files, listed: bool) -> Result<String, String> {
         "vt2" | "dt2" => return Ok("velocities or displacements of PEER, no acceleration".into()),
         _ => {}
     }
+    if files.path(name).is_dir() {
+        return Ok(
+            "a link to a folder, which is not followed; put the files themselves there".into()
+        );
+    }
     let Ok(bytes) = files.read(name) else { return Ok("it cannot be read".into()) };
     if bytes.len() > LARGEST {
         return Ok(format!(

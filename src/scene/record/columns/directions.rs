@@ -5,6 +5,7 @@ use super::super::component;
 use super::super::numbers::number;
 use super::super::{Component, Units};
 use super::polarity::{self, Polarity};
+use super::values::PRODUCT;
 use super::words::{self, TIMES, is_acceleration, tokens, without_brackets};
 
 /// Directions that mean nothing else where they stand in capitals.
@@ -99,11 +100,18 @@ fn is_down(name: &str) -> bool {
 
 /// The direction that a column's name tells: `NS (g)`, `acc-UD`, `IWT010.UD1`, `HNZ`, `Up-Down`, `Z (down)`.
 pub(super) fn of_column(name: &str) -> Option<Component> {
+    let own = of_name(name);
+    match polarity::stated(name) {
+        Some(Polarity::Way(way)) => Some(way),
+        Some(Polarity::OfAll(way)) if own.is_some_and(Component::is_vertical) => Some(way),
+        _ => own,
+    }
+}
+
+/// The same without what the name says of a sign.
+fn of_name(name: &str) -> Option<Component> {
     let lower = name.to_lowercase();
     let has = |words: &[&str]| words.iter().any(|word| lower.contains(word));
-    if let Some(Polarity::Way(way)) = polarity::stated(name) {
-        return Some(way);
-    }
     if is_down(&lower) {
         return Some(Component::Down);
     }
@@ -127,7 +135,12 @@ pub(super) fn of_column(name: &str) -> Option<Component> {
     // Behind a blank `down` may be the end of a sentence: `5 m down`.
     let apart = bare.contains([' ', ':']);
     let last = || told(last).filter(|one| !(apart && *one == Component::Down));
-    stated.or_else(|| told(bare)).or_else(last)
+    // `Z*-1` is Z.
+    let factor = || {
+        let mut pieces = bare.split(PRODUCT).map(str::trim).filter(|one| number(one).is_none());
+        pieces.next().filter(|_| bare.contains(PRODUCT)).and_then(told)
+    };
+    stated.or_else(|| told(bare)).or_else(last).or_else(factor)
 }
 
 #[cfg(test)]

@@ -19,6 +19,7 @@ use std::borrow::Cow;
 use super::hints::RecordHints;
 use super::numbers::{free, number};
 use super::{Raw, RecordError, Stated};
+use polarity::Polarity;
 use rows::Rows;
 use told::Told;
 
@@ -101,10 +102,12 @@ fn of_table(
     Ok(raw)
 }
 
-/// A record with its title, and what that states: without a place and a component it is a heading of columns.
+/// A record with its title, and what that states: without a place and a component it is a heading of columns, and with the
+/// ways of all components of a recorder it is no place.
 fn titled(mut raw: Raw, title: String) -> Raw {
     let stated = Stated::of_title(&title);
-    if !stated.event.is_empty() {
+    let of_all = matches!(polarity::stated(&title), Some(Polarity::OfAll(_)));
+    if !stated.event.is_empty() && !of_all {
         raw.stated = Stated { start: raw.stated.start, ..stated };
     }
     raw.title = title;

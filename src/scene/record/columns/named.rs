@@ -6,7 +6,7 @@ use super::super::clock::Clock;
 use super::super::component::Component;
 use super::super::hints::RecordHints;
 use super::super::numbers::number;
-use super::{COMMENT, directions, words};
+use super::{COMMENT, directions, polarity, words};
 
 /// The names of the columns: of the last line above the rows that has as many, and neither their units alone nor a
 /// statement such as `dt = 0.01`.
@@ -47,7 +47,17 @@ pub(super) fn is_headed(text: &str, first: usize) -> bool {
 /// True of a pair of columns that a heading names as two accelerations, neither of them a time.
 pub(super) fn is_pair(text: &str, first: usize) -> bool {
     let named = names(text, first, 2);
-    named.is_some_and(|(_, names)| names.iter().all(|name| words::is_channel(name)))
+    let is_channel = |name: &String| words::is_channel(name) && !polarity::is_sentence(name);
+    named.is_some_and(|(_, names)| names.iter().all(is_channel))
+}
+
+/// True of names in which a lone `D` can only be down: beside north and east, without another vertical.
+fn is_north_east_down(names: &[String]) -> bool {
+    let points =
+        |azimuth| names.iter().any(|name| directions::azimuth_of_column(name) == Some(azimuth));
+    let is_vertical =
+        |name: &String| directions::of_column(name).is_some_and(Component::is_vertical);
+    points(0.0) && points(90.0) && !names.iter().any(is_vertical)
 }
 
 /// The columns that are accelerations by their names: where one says so, only those that do; else those whose names are
@@ -59,12 +69,13 @@ pub(super) fn channels<'a>(names: &'a [String], hints: &RecordHints) -> Vec<Chan
         |name: &str, letters: &[&str]| letters.contains(&&*words::direction(name).to_lowercase());
     let has_z = names.iter().any(|name| is_letter(name, &["z"]));
     let is_horizontal = |name: &str| has_z && is_letter(name, &["x", "y"]);
+    let is_down = |name: &str| is_letter(name, &["d"]) && is_north_east_down(names);
     let asked = hints.channel.as_deref().is_some_and(|asked| asked.trim().parse::<u32>().is_ok());
     let is_channel = |name: &str| match says {
         true => words::says_acceleration(name),
         // One that is chosen by its number need not be understood.
         false => {
-            let is_one = words::is_channel(name) || is_horizontal(name) || asked;
+            let is_one = words::is_channel(name) || is_horizontal(name) || is_down(name) || asked;
             is_one && !words::says_integral(name)
         }
     };
@@ -73,7 +84,8 @@ pub(super) fn channels<'a>(names: &'a [String], hints: &RecordHints) -> Vec<Chan
         number: Some(number),
         word: words::direction(name),
         component: directions::of_column(name)
-            .or_else(|| is_horizontal(name).then_some(Component::Horizontal)),
+            .or_else(|| is_horizontal(name).then_some(Component::Horizontal))
+            .or_else(|| is_down(name).then_some(Component::Down)),
         before: 0,
         text: name,
     };

@@ -6,6 +6,8 @@ use super::super::Component;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Polarity {
     Way(Component),
+    /// The same of a recorder, of whose horizontal components they speak too: a file beside them may be any of the three.
+    OfAll(Component),
     /// They speak of a sign, and not in words that are known.
     Unclear,
 }
@@ -185,7 +187,7 @@ pub(super) fn stated(line: &str) -> Option<Polarity> {
     for part in words.split(|(_, kind)| *kind == Word::Other) {
         match of_part(part, of_axis) {
             Some(Polarity::Way(way)) => ways.push(way),
-            Some(Polarity::Unclear) => unclear = true,
+            Some(_) => unclear = true,
             None => {}
         }
     }
@@ -197,7 +199,17 @@ pub(super) fn stated(line: &str) -> Option<Polarity> {
     let denied = answered.is_some_and(|line| line.ends_with([':', '=']))
         || matches!(words.last(), Some((_, Word::Not)));
     let agree = others.iter().all(|other| other == way);
-    Some(if agree && !of_others && !denied { Polarity::Way(*way) } else { Polarity::Unclear })
+    let of_all = words.iter().any(|(_, one)| *one == Word::Horizontal);
+    Some(match agree && !of_others && !denied {
+        true if of_all => Polarity::OfAll(*way),
+        true => Polarity::Way(*way),
+        false => Polarity::Unclear,
+    })
+}
+
+/// True of a text that says in words where something points, which the name of a column does not.
+pub(super) fn is_sentence(text: &str) -> bool {
+    split(&text.to_lowercase()).iter().any(|(_, one)| matches!(one, Word::Key(_) | Word::Points))
 }
 
 /// A key and the way that it has; true where the key is no lone `-`.
@@ -307,11 +319,7 @@ mod tests {
             ("+ve down", Down),
             ("polarity: up", Up),
             ("up is positive", Up),
-            ("positive north, east, down", Down),
-            ("positive: N, E and up", Up),
-            ("North, east and down are positive", Down),
             ("Z axis points down", Down),
-            ("x axis points north, z axis points down", Down),
             ("the z-axis is pointing upwards", Up),
             ("Vertical (down)", Down),
             ("Time (s), Vertical (down) (m/s2)", Down),
@@ -339,6 +347,14 @@ mod tests {
             ("no longer positive down", Up),
         ] {
             assert_eq!(stated(words), Some(Polarity::Way(wanted)), "{words}");
+        }
+        for (words, wanted) in [
+            ("positive north, east, down", Down),
+            ("positive: N, E and up", Up),
+            ("North, east and down are positive", Down),
+            ("x axis points north, z axis points down", Down),
+        ] {
+            assert_eq!(stated(words), Some(Polarity::OfAll(wanted)), "{words}");
         }
     }
 

@@ -131,7 +131,17 @@ pub(super) fn read(
     // What is told of the whole file, its title's last word too, may be of another column.
     if !lone && named {
         raw.stated.component = None;
-        told.forget_direction();
+        told.forget_direction(line);
+        told.put_factor(line, channel.text);
+    }
+    if named && channel.word.eq_ignore_ascii_case("d") {
+        match channel.component {
+            Some(_) => raw.notes.push(format!(
+                "the column '{}' stands beside north and east: it is down",
+                shown(channel.text)
+            )),
+            None => told.put_unclear(line, channel.text),
+        }
     }
     raw.stated.component = channel.component.or(raw.stated.component);
     let mut raw = told.complete(raw)?;

@@ -21,14 +21,20 @@ pub(super) struct Told {
     component: Option<(usize, Component)>,
     azimuth: Option<(usize, f64)>,
     polarity: Option<(usize, Component)>,
+    /// The polarity is that of this component, not of all that a recorder has.
+    of_vertical: bool,
     /// The first words of a sign that are not understood.
     unclear: Option<(usize, String)>,
     step: Option<(usize, f64)>,
     count: Option<(usize, usize)>,
+    /// Factors on the values, each with its line.
+    factors: Vec<(usize, f64)>,
     /// What comments state, in a sentence each.
     notes: Vec<String>,
     /// The step that is given beside the file, s.
     given: Option<f64>,
+    /// True where the file is given as a vertical.
+    as_vertical: bool,
 }
 
 /// What a column of times tells.
@@ -62,7 +68,8 @@ fn put<T: PartialEq>(
 
 impl Told {
     pub fn new(hints: &RecordHints) -> Told {
-        Told { given: hints.dt, ..Told::default() }
+        let as_vertical = hints.vertical == Some(true);
+        Told { given: hints.dt, as_vertical, ..Told::default() }
     }
 
     pub fn has_units(&self) -> bool {
@@ -92,7 +99,7 @@ impl Told {
             self.put_direction(at, Some((component, directions::azimuth_of_column(&name))))?;
         }
         self.put_polarity(at, line)?;
-        self.note_factor(at, line);
+        self.put_factor(at, line);
         Ok(found)
     }
 
@@ -108,21 +115,34 @@ impl Told {
     }
 
     fn put_polarity(&mut self, at: usize, words: &str) -> Result<(), RecordError> {
-        match polarity::stated(words) {
-            Some(Polarity::Way(way)) => {
+        let stated = polarity::stated(words);
+        match stated {
+            Some(Polarity::Way(way) | Polarity::OfAll(way)) => {
                 put(&mut self.polarity, at, Some(way), "a polarity")?;
+                self.of_vertical |= matches!(stated, Some(Polarity::Way(_)));
             }
-            Some(Polarity::Unclear) => {
-                self.unclear.get_or_insert_with(|| (at, shown(words)));
+            Some(Polarity::Unclear) => self.put_unclear(at, words),
+            // A lone D may be down, and may be a displacement.
+            None => {
+                let name = words::lone_column(words);
+                if name.is_some_and(|name| words::direction(&name).eq_ignore_ascii_case("d")) {
+                    self.put_unclear(at, words);
+                }
             }
-            None => {}
         }
         Ok(())
     }
 
-    /// Leaves out what was told of a direction: of a file of several columns, that may be another one's.
-    pub fn forget_direction(&mut self) {
+    /// Takes up words that may tell a direction, and do not do so clearly.
+    pub fn put_unclear(&mut self, at: usize, words: &str) {
+        self.unclear.get_or_insert_with(|| (at, shown(words)));
+    }
+
+    /// Leaves out what was told of a direction, and factors of the line that names the columns: of a file of several
+    /// columns, that may be another one's.
+    pub fn forget_direction(&mut self, names: usize) {
         (self.component, self.azimuth) = (None, None);
+        self.factors.retain(|(at, _)| *at != names);
     }
 
     /// Takes up a comment: what it states of the units, the step, the count and the direction.
@@ -148,15 +168,13 @@ impl Told {
             .flatten();
         self.put_direction(at, direction)?;
         self.put_polarity(at, words)?;
-        self.note_factor(at, words);
+        self.put_factor(at, words);
         Ok(())
     }
 
-    /// Says of a factor on the values that it is not applied: nobody knows whether it was.
-    fn note_factor(&mut self, at: usize, words: &str) {
-        if let Some(factor) = values::factor(words) {
-            self.notes.push(format!("line {at} states a factor of {factor}, which is not applied"));
-        }
+    /// Takes up a factor on the values. It is said and not applied: nobody knows whether it was.
+    pub fn put_factor(&mut self, at: usize, words: &str) {
+        self.factors.extend(values::factor(words).map(|factor| (at, factor)));
     }
 
     fn put_units(&mut self, at: usize, units: Option<String>) -> Result<bool, RecordError> {
@@ -246,7 +264,16 @@ impl Told {
     /// # Errors
     /// Fewer samples than the count that is stated.
     pub fn complete(self, mut raw: Raw) -> Result<Raw, RecordError> {
-        raw.notes.splice(0..0, self.notes);
+        let factor = |(at, factor): (usize, f64)| {
+            let hint = match factor < 0.0 {
+                true => {
+                    "; if a vertical is positive down as it stands here, write 'positive down' there"
+                }
+                false => "",
+            };
+            format!("line {at} states a factor of {factor}, which is not applied{hint}")
+        };
+        raw.notes.splice(0..0, self.notes.into_iter().chain(self.factors.into_iter().map(factor)));
         if let (Some((at, step)), None) = (self.step, &raw.step) {
             match self.given {
                 Some(given) if (given - step).abs() > OFF * given => raw
@@ -283,6 +310,8 @@ impl Told {
         match (self.polarity, stated.component) {
             (_, Some(Component::Horizontal)) | (None, _) => {}
             (Some((_, Component::Up)), None) => {}
+            // Words of all components of a recorder do not tell which one the file has.
+            (Some(_), None) if !self.of_vertical && !self.as_vertical => {}
             (Some((_, way)), _) => stated.component = Some(way),
         }
         if let (Some((at, words)), None) = (&self.unclear, self.polarity)

@@ -1,8 +1,9 @@
 //! The words that stand above plain numbers: in which of them a unit is stated. Others are in `values` and `directions`.
 
-use super::super::Units;
 use super::super::clock::Clock;
 use super::super::numbers::number;
+use super::super::{Component, Units};
+use super::polarity;
 
 /// Names of a column of times.
 pub(super) const TIMES: [&str; 7] = ["time", "times", "t", "zeit", "temps", "tiempo", "tempo"];
@@ -111,9 +112,17 @@ pub(super) fn lone_column(line: &str) -> Option<String> {
     names.pop().filter(|_| is_one)
 }
 
-/// What stands in the last bracket of a name.
+/// What stands in the last bracket of a name that may be a unit: `g` of `UD (g) (+)`.
 pub(super) fn bracket(name: &str) -> Option<&str> {
-    in_brackets(name).pop()
+    in_brackets(name).into_iter().rev().find(|text| !is_sign_or_direction(text))
+}
+
+/// True of what stands in a bracket and is no unit: `+`, `-1`, `positive down`, `UD`.
+fn is_sign_or_direction(text: &str) -> bool {
+    let is_unit = Units::are_meant(text) || is_length(text) || Clock::named(text).is_some();
+    let is_sign = || text.chars().all(|c| c.is_whitespace() || "+-\u{2212}/".contains(c));
+    let states = || polarity::stated(text).is_some() || Component::named(text).is_some();
+    !is_unit && (is_sign() || number(text).is_some() || states())
 }
 
 /// The parts of a column's name, its brackets left out: `EW`, `acc` of `EW_acc (g)`.

@@ -3,7 +3,8 @@
 use std::io::{self, Write};
 
 use super::Envelope;
-use crate::suites::columns::{self, TableColumn, number};
+use crate::suites::columns::{self, TableColumn, known, number};
+use crate::suites::grid_table::GridTable;
 use topple::results::csv::Number;
 
 /// The columns of envelope.csv after the axes.
@@ -49,24 +50,20 @@ pub const ZETA_COLUMNS: [TableColumn; 3] = [
 /// # Errors
 /// Those of the writer.
 pub fn write(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
-    let grid = &envelope.sweep.grid;
-    let mut table = csv::Writer::from_writer(writer);
-    let further = envelope.settings.columns.iter().flat_map(|column| columns::further(*column));
-    let further = further.map(|(name, ..)| name);
-    let names = columns::keys(grid).chain(columns::names(&COLUMNS)).map(String::from);
-    table.write_record(names.chain(further))?;
+    let further = columns::further_names(&envelope.settings.columns);
+    let names = columns::names(&COLUMNS).map(String::from).chain(further);
+    let mut table = GridTable::begin(&envelope.sweep.grid, writer, names)?;
     let records = envelope.records();
-    let known = |value: f64| (!value.is_nan()).then_some(Number(value));
     for (index, cell) in envelope.cells.iter().enumerate() {
-        let axes = columns::values(grid, index);
         let shares = [cell.standing, cell.overturned, cell.rocked].map(Number);
         let (u, v) = (cell.max_u.map(known), cell.stroke_v.map(known));
         let within = cell.overturned_within.map(|end| end.map(Number));
         let feasible = u8::from(cell.feasible);
         let further: Vec<_> = envelope.further(index).flatten().map(known).collect();
-        table.serialize((axes, records, shares, u, v, feasible, cell.reserve, within, further))?;
+        let own = (records, shares, u, v, feasible, cell.reserve, within);
+        table.row(index, (own, further))?;
     }
-    table.flush()
+    Ok(table.end()?)
 }
 
 /// Writes zeta.csv: the axes, and percentiles of the rocking index over the motions under which the block stands.
@@ -74,13 +71,10 @@ pub fn write(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
 /// # Errors
 /// Those of the writer.
 pub fn write_zeta(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
-    let grid = &envelope.sweep.grid;
-    let mut table = csv::Writer::from_writer(writer);
-    table.write_record(columns::keys(grid).chain(columns::names(&ZETA_COLUMNS)))?;
+    let names = columns::names(&ZETA_COLUMNS);
+    let mut table = GridTable::begin(&envelope.sweep.grid, writer, names)?;
     for (index, cell) in envelope.cells.iter().enumerate() {
-        let axes = columns::values(grid, index);
-        table
-            .serialize((axes, cell.zeta.map(|value| (!value.is_nan()).then_some(Number(value)))))?;
+        table.row(index, cell.zeta.map(known))?;
     }
-    table.flush()
+    Ok(table.end()?)
 }

@@ -159,3 +159,52 @@ fn zeros_are_a_vertical_component_and_no_horizontal_one() {
     let error = read::bytes(zeros.as_bytes(), &hints).unwrap_err().to_string();
     assert!(error.starts_with("every sample is zero; zeros may be a vertical"), "{error}");
 }
+
+/// A file of a recorder's horizontal component, whose heading tells the ways of all three.
+#[test]
+fn words_of_all_components_do_not_make_a_file_vertical() {
+    let up = rows("Time (s), UD (m/s2)", 0.0, 2.0);
+    let as_vertical = RecordHints { vertical: Some(true), ..RecordHints::default() };
+    for heading in [
+        "# positive north, east, down\n# units: m/s2",
+        "positive north, east, down\nTime (s), acc (m/s2)",
+        "# x axis points north, z axis points down\n# units: m/s2",
+        "# positive north, down\n# units: m/s2",
+        "Time (s), acc (m/s2) (positive north east down)",
+    ] {
+        let text = rows(heading, 0.0, 3.0);
+        let motion = pair(&text, &up, false).unwrap_or_else(|why| panic!("{heading}: {why}"));
+        assert!((motion.horizontal[3] - 3.0 * 0.3771_f64.sin()).abs() < 1e-4, "{heading}");
+        // Given as a vertical it is down by the same words.
+        let v = read::bytes(text.as_bytes(), &as_vertical).unwrap();
+        assert_eq!(v.stated.component, Some(Component::Down), "{heading}");
+    }
+    // A line about the vertical alone decides.
+    let text = rows("# positive north, east, down\n# polarity: down\n# units: m/s2", 0.0, 3.0);
+    assert!(pair(&text, &up, false).unwrap_err().contains("is a vertical component"));
+}
+
+#[test]
+fn a_negative_factor_in_a_heading_is_said() {
+    let as_vertical = RecordHints { vertical: Some(true), ..RecordHints::default() };
+    for heading in
+        ["Time (s), Z*-1 (m/s2)", "Time (s), -1*Z (m/s2)", "# UD times -1\nTime (s), UD (m/s2)"]
+    {
+        let text = rows(heading, 0.0, 3.0);
+        let v = read::bytes(text.as_bytes(), &as_vertical).unwrap();
+        assert_eq!(v.stated.component, Some(Component::Up), "{heading}");
+        let said =
+            "line 1 states a factor of -1, which is not applied; if a vertical is positive down";
+        assert!(v.notes.iter().any(|note| note.starts_with(said)), "{heading}: {:?}", v.notes);
+    }
+}
+
+#[test]
+fn a_lone_d_may_be_down_and_that_is_said() {
+    let as_vertical = RecordHints { vertical: Some(true), ..RecordHints::default() };
+    for heading in ["Time (s), D (m/s2)", "# Time (s), acc_D (m/s2)"] {
+        let v = read::bytes(rows(heading, 0.0, 3.0).as_bytes(), &as_vertical).unwrap();
+        let unclear = |note: &String| note.contains("a vertical is taken as positive up; write");
+        assert!(v.notes.iter().any(unclear), "{heading}: {:?}", v.notes);
+    }
+}

@@ -220,3 +220,72 @@ fn beside_a_z_the_letters_x_and_y_are_directions() {
     assert_eq!((raw.values[9], raw.stated.component), (motion(9), Some(Component::Horizontal)));
     assert_eq!(read(&text, &of(true)).unwrap().values[9], 3.0 * motion(9));
 }
+
+#[test]
+fn a_d_beside_north_and_east_is_down() {
+    let of = |heading: &str, channel: Option<&str>| {
+        let text = rows(heading, |k| {
+            format!("{:.2},{},{},{}", 0.01 * k as f64, motion(k), 2.0 * motion(k), 3.0 * motion(k))
+        });
+        let channel = channel.map(String::from);
+        read(&text, &RecordHints { channel, vertical: Some(true), ..RecordHints::default() })
+    };
+    for heading in ["Time,N,E,D\n", "Time,acc_N,acc_E,acc_D\n", "time;NS;EW;d\n"] {
+        for channel in [None, Some("3"), Some("D")] {
+            let raw = of(heading, channel).unwrap();
+            let found = (raw.values[9], raw.stated.component);
+            assert_eq!(found, (3.0 * motion(9), Some(Component::Down)), "{heading}");
+            let said = |note: &String| note.ends_with("stands beside north and east: it is down");
+            assert!(raw.notes.iter().any(said), "{heading}: {:?}", raw.notes);
+        }
+    }
+    for heading in ["Time,H1,H2,D\n", "Time,N,Z,D\n"] {
+        let raw = of(heading, Some("3")).unwrap();
+        assert_eq!(raw.stated.component, None, "{heading}");
+        let said = "line 1 speaks of a sign in words that are not understood ('D')";
+        assert!(raw.notes.iter().any(|note| note.starts_with(said)), "{heading}: {:?}", raw.notes);
+    }
+    for heading in ["Time,N,E,Z\n", "Time,N,E,U\n", "Time,N,E,V\n"] {
+        assert_eq!(of(heading, None).unwrap().stated.component, Some(Component::Up), "{heading}");
+    }
+}
+
+#[test]
+fn a_sign_in_brackets_is_no_unit() {
+    let of = |heading: &str, channel: &str| {
+        let text = rows(heading, |k| {
+            format!("{:.2},{},{},{}", 0.01 * k as f64, motion(k), 2.0 * motion(k), 3.0 * motion(k))
+        });
+        read(&text, &self::channel(channel))
+    };
+    for heading in [
+        "# units: g\nTime,NS (+),EW (+),UD (-)\n",
+        "# units: g\nTime,NS (N),EW (E),UD (positive down)\n",
+        "Time,NS (+) (g),EW (g) (+),UD (g) (-)\n",
+    ] {
+        for (channel, factor) in [("NS", 1.0), ("EW", 2.0), ("UD", 3.0)] {
+            let raw = of(heading, channel).unwrap_or_else(|why| panic!("{heading}: {why}"));
+            assert_eq!((raw.values[9], raw.units.unwrap().1.as_str()), (factor * motion(9), "g"));
+        }
+    }
+    let notes = of("# units: g\nTime,NS (+),EW (+),UD (-)\n", "UD").unwrap().notes;
+    assert!(notes.iter().any(|note| note.contains("line 2 speaks of a sign")), "{notes:?}");
+    let error = of("# units: g\nTime,NS (ticks),EW (g),UD (g)\n", "NS").unwrap_err().to_string();
+    assert!(error.contains("'ticks' is no unit"), "{error}");
+}
+
+/// Of several columns the factor of another one is not said.
+#[test]
+fn a_factor_is_that_of_its_column() {
+    let text = rows("Time,N,E,Z*-1\n", |k| {
+        format!("{:.2},{},{},{}", 0.01 * k as f64, motion(k), 2.0 * motion(k), 3.0 * motion(k))
+    });
+    let of = |vertical| RecordHints { vertical: Some(vertical), ..RecordHints::default() };
+    let said = |raw: &crate::scene::record::Raw| {
+        raw.notes.iter().any(|note| note.starts_with("line 1 states a factor of -1"))
+    };
+    let up = read(&text, &of(true)).unwrap();
+    assert_eq!((up.values[9], up.stated.component), (3.0 * motion(9), Some(Component::Up)));
+    assert!(said(&up), "{:?}", up.notes);
+    assert!(!said(&read(&text, &of(false)).unwrap()));
+}

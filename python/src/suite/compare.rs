@@ -1,0 +1,62 @@
+//! Comparisons: devices under every motion of a suite.
+
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use serde_json::json;
+use topple_studies::comparison::{self, devices};
+use topple_studies::{
+    Comparison, ComparisonError, ComparisonRequest, Intensity, RateRequest, Suite,
+};
+
+use super::call::{Call, Tables};
+use super::described::{described_with, text, told};
+use crate::errors::{of_keyword, of_sweep};
+use crate::keywords::given;
+use crate::uncertain::A_SEED;
+
+/// Its own keywords.
+const OWN: &str = "standing devices scales columns im levels units hazard hazard_units";
+
+/// Compares devices under a suite: `(tables, about)`, CSV by name and JSON, None of a shard.
+#[pyfunction]
+pub fn compare<'py>(
+    py: Python<'py>,
+    keywords: &Bound<'py, PyDict>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Tables<'py>> {
+    let (call, request) = Call::of(py, keywords, progress, OWN)?;
+    let list = given::<String>(keywords, "devices", "a list")?.unwrap_or_default();
+    let list = devices::read(&list, &request.scene).map_err(|e| of_keyword("devices", e))?;
+    let mut request = ComparisonRequest::new(list, request, call.limits()?);
+    call.needs(&[
+        ("im", "hazard", "the measure of hazard"),
+        ("levels", "hazard", "the levels of hazard's measure"),
+    ])?;
+    let im = call.measure()?.unwrap_or(Intensity::Pga);
+    request.scales = call.values("scales")?.or(request.scales);
+    request.columns = call.columns()?;
+    request.resample = call.resample()?;
+    request.seed = call.number("seed", A_SEED)?.unwrap_or(request.seed);
+    if let Some(hazard) = call.hazard(im)? {
+        request.rate = Some(RateRequest { im, levels: call.levels(im)?, hazard });
+    }
+    request.check().map_err(of_comparison)?;
+    let open = |suite: &Suite| request.open(suite).map(|job| (job.sweep, job.settings));
+    let of = |swept, settings, _: &_| Ok(Comparison::of(swept, settings));
+    let Some(mut compared) = call.run(open, of, of_comparison)? else { return Ok((None, None)) };
+    let made = [("compare", text(|w| comparison::write(&compared, w))?)];
+    let columns = [&comparison::COLUMNS[..], &comparison::RESERVE, &comparison::RATES].concat();
+    let mut about = told(&compared.sweep, &call.suite);
+    about["columns"] = described_with(&columns, &compared.settings.columns);
+    about["resample"] = json!(compared.settings.groups.by);
+    about["groups"] = json!(compared.settings.groups.count);
+    call.tables(made, &about, &mut compared.sweep)
+}
+
+/// What is wrong with devices, or with a sweep of them.
+fn of_comparison(error: ComparisonError) -> PyErr {
+    match error {
+        ComparisonError::Devices(error) => of_keyword("devices", error),
+        ComparisonError::Sweep(error) => of_sweep(error),
+    }
+}

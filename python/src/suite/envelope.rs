@@ -1,0 +1,49 @@
+//! Envelopes: a scene under every motion of a suite.
+
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use serde_json::json;
+use topple_studies::suites::envelope as tables;
+use topple_studies::{Best, Envelope, EnvelopeRequest, Suite};
+
+use super::call::{Call, Tables};
+use super::described::{described_with, text, told_of_grid};
+use crate::errors::{of_scene, of_sweep};
+use crate::uncertain::{A_SEED, varied};
+
+/// Its own keywords.
+const OWN: &str = "standing best columns vary samples";
+
+/// Feasible cells that are told.
+const BEST: usize = 20;
+
+/// Sweeps a scene under every motion of a suite: `(tables, about)`, CSV by name and JSON, None of a shard.
+#[pyfunction]
+pub fn envelope<'py>(
+    py: Python<'py>,
+    keywords: &Bound<'py, PyDict>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Tables<'py>> {
+    let (call, request) = Call::of(py, keywords, progress, OWN)?;
+    let mut request = EnvelopeRequest::new(request, call.limits()?);
+    request.best = call.named("best", Best::named, "")?.unwrap_or(request.best);
+    request.columns = call.columns()?;
+    request.resample = call.resample()?;
+    request.vary = varied(keywords)?;
+    request.seed = call.number("seed", A_SEED)?.unwrap_or(request.seed);
+    request.samples = call.number("samples", "a number of points")?.unwrap_or(request.samples);
+    call.needs(&[])?;
+    request.check().map_err(of_scene)?;
+    let open = |suite: &Suite| request.open(suite).map(|job| (job.sweep, job.settings));
+    let of = |swept, settings, _: &_| Ok(Envelope::of(swept, settings));
+    let Some(mut envelope) = call.run(open, of, of_sweep)? else { return Ok((None, None)) };
+    let made = [
+        ("envelope", text(|w| tables::write(&envelope, w))?),
+        ("zeta", text(|w| tables::write_zeta(&envelope, w))?),
+    ];
+    let columns = [&tables::COLUMNS[..], &tables::ZETA_COLUMNS].concat();
+    let mut about = told_of_grid(&envelope.sweep, &call.suite);
+    about["columns"] = described_with(&columns, &envelope.settings.columns);
+    about["best"] = json!(envelope.best().iter().take(BEST).collect::<Vec<_>>());
+    call.tables(made, &about, &mut envelope.sweep)
+}

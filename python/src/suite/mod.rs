@@ -1,0 +1,35 @@
+//! Suites of records: their table, envelopes, comparisons and fragilities, each as the tables of the command.
+
+mod call;
+pub mod compare;
+mod described;
+pub mod envelope;
+pub mod fragility;
+mod given;
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use pyo3::prelude::*;
+use serde_json::json;
+use topple_studies::Suite;
+use topple_studies::suites::table;
+
+use crate::errors::of_suite;
+use crate::watch;
+use described::{described, text};
+
+/// Reads a suite: `(table, about)`, CSV and JSON.
+#[pyfunction]
+pub fn suite(py: Python<'_>, path: PathBuf, strict: bool) -> PyResult<(String, String)> {
+    let suite = watch::run_unheard(py, move || Suite::read(&path, strict))?.map_err(of_suite)?;
+    let unused: BTreeMap<&str, &str> =
+        suite.unused.iter().map(|unused| (&*unused.file, &*unused.why)).collect();
+    let about = json!({
+        "unused": unused,
+        "program": "topple",
+        "version": env!("CARGO_PKG_VERSION"),
+        "columns": described(&table::COLUMNS, ""),
+    });
+    Ok((text(|w| table::write(&suite, w))?, about.to_string()))
+}
