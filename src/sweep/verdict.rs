@@ -77,7 +77,7 @@ pub fn told(v: &Verification) -> String {
         (v.differ_tensile, "where the contact force is tensile (hatched)"),
         (v.differ_beside_boundary, "beside a boundary"),
         (v.differ_sensitive, "in chaotic rocking, where a millionth of the block's width decides"),
-        (v.differ_inside(), "amid cells of one outcome"),
+        (v.differ_inside(), "inside an area of one outcome"),
     ];
     let places: Vec<String> = places
         .iter()

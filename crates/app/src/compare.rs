@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use topple::results::earlier::Kind;
+use topple::scene::record::rounded;
 use topple::scene::record::text::decoded;
 use topple::scene::{Grid, Parameter, Scene, Values, bounded, path_text};
 use topple_pictures::drawing::render;
@@ -29,7 +30,7 @@ use super::options::{CommonFlags, RunOptions, flag_error};
 use super::results_directory::{Place, picture_files};
 use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
 use super::words::{Reporter, with_flags};
-use super::{InputError, examples, fragility_rates, further, suite, words};
+use super::{InputError, device_remarks, examples, fragility_rates, further, suite, words};
 
 /// Compare the devices of a list under every motion of a suite, side by side.
 #[derive(clap::Args)]
@@ -158,9 +159,11 @@ impl CompareCommand {
         if let Some((path, hazard)) = self.hazard.path().zip(hazard.as_ref()) {
             told::hazard(path, hazard, im, &say);
         }
-        let ComparisonJob { sweep, settings } =
-            request.open(&suite).map_err(|error| self.refused(error))?;
+        let job = request.open(&suite).map_err(|error| self.refused(error))?;
+        let [falling, at_scales] = job.falling();
+        let ComparisonJob { sweep, settings } = job;
         let scenes = sweep.scenes(settings.devices.len());
+        self.motions.refuse_others(&sweep, options)?;
         self.motions.tell_of_scene(&scenes, &say);
         self.tell_of_devices(&settings.devices, &scenes, &say)?;
         let times = Times::devices(settings.devices.len());
@@ -183,7 +186,22 @@ impl CompareCommand {
         told::warn_of_few(&settings.groups);
         if let Some(hazard) = &settings.hazard {
             let stripes = compared.devices.iter().flat_map(|device| &device.rate);
-            told::warn_of_units(stripes.flat_map(|rated| &rated.stripes), Some(hazard), im);
+            let levels = (im, self.levels.as_ref());
+            let stripes = stripes.flat_map(|rated| &rated.stripes);
+            told::warn_of_units(stripes, Some(hazard), levels);
+            told::warn_of_falling(falling, levels);
+            warn_of_crossings(&compared, im);
+        }
+        if let Some(of) = at_scales {
+            words::warn(format!(
+                "at {} of {} factors of --scales, from {} on, {} under some motions{}: {}",
+                of.levels,
+                of.of_levels,
+                of.from,
+                told::FALLS,
+                told::half(of.half.map(|factor| format!("from {factor} on"))),
+                told::LEAVES
+            ));
         }
         let named = settings.devices.iter().zip(scenes);
         let manifest = Manifest {
@@ -253,6 +271,7 @@ impl CompareCommand {
         say: &Reporter,
     ) -> Result<(), InputError> {
         let mut names = Vec::new();
+        let mut remarks: Vec<(String, Vec<&str>)> = Vec::new();
         for (device, scene) in devices.iter().zip(scenes) {
             if !device.left_out.is_empty() {
                 let flags: Vec<String> =
@@ -261,10 +280,21 @@ impl CompareCommand {
                 say.line("left out", format!("{}: {} {text}", device.name, flags.join(", ")));
             }
             words::device(say, Some(&device.name), scene);
+            let is_default = !device.scene.numbers.has(Parameter::XiH);
+            let damper = device_remarks::damper(scene).filter(|_| is_default);
+            for remark in damper.into_iter().chain(device_remarks::implausible(scene)) {
+                match remarks.iter_mut().find(|(other, _)| *other == remark) {
+                    Some((_, names)) => names.push(&device.name),
+                    None => remarks.push((remark, vec![&device.name])),
+                }
+            }
             let plan = self.options.plan(scene).map_err(|error| flag_error(&error))?;
             if words::has_lossless_impacts(&plan, &Grid::of(scene)) {
                 names.push(device.name.as_str());
             }
+        }
+        for (remark, names) in remarks {
+            words::warn(format!("{}: {remark}", names.join(", ")));
         }
         if !names.is_empty() {
             words::warn(with_flags(&format!(
@@ -285,12 +315,25 @@ fn tell(compared: &Comparison, im: Intensity, say: &Reporter) {
     for (number, (name, device)) in compared.rows().enumerate() {
         say.line(if number == 0 { "devices" } else { "" }, one(name, device, compared));
         if let Some(rated) = &device.rate {
-            let Rated { estimate, stripes, empirical } = rated;
+            let Rated { estimate, stripes, empirical, .. } = rated;
             let mut lines = fragility_rates::lines((stripes, *empirical), estimate, unit, None);
             if let (true, Some(note)) = (lines.is_empty(), &estimate.note) {
                 lines.push(format!("annual rate not known: {note}"));
             }
             lines.iter().for_each(|line| say.line("", format!("  {line}")));
+        }
+    }
+}
+
+/// Warns of curves of overturning that are above those of uplift.
+fn warn_of_crossings(compared: &Comparison, im: Intensity) {
+    for (name, device) in compared.rows() {
+        let Some(rated) = &device.rate else { continue };
+        if let Some(crossing) = &rated.crossing {
+            let rate = rated.estimate.rate.as_ref();
+            let unit = told::unit(im);
+            let crosses = fragility_rates::crosses(&comparison::STATES, crossing, rate, &unit);
+            words::warn(format!("{name}: {crosses}"));
         }
     }
 }
@@ -344,16 +387,18 @@ fn one(name: &str, device: &Compared, of: &Comparison) -> String {
     if let Some(reserve) = reserve {
         text += &match (reserve.keeps, reserve.fails) {
             (None, Some(fails)) => {
-                format!(", no reserve: fails at {fails} times the motions, the least")
+                format!(
+                    ", no reserve: exceeds a limit already at {fails} times the motions, the smallest factor"
+                )
             }
             (None, None) => ", no reserve".to_string(),
             (Some(keeps), Some(fails)) => {
                 format!(
-                    ", keeps all limits up to {keeps} times the motions and fails between {keeps} and {fails}"
+                    ", keeps all limits up to {keeps} times the motions, and exceeds one at {fails} times"
                 )
             }
             (Some(keeps), None) => {
-                format!(", keeps all limits up to {keeps} times the motions and perhaps more")
+                format!(", keeps all limits up to {keeps} times the motions, the largest factor")
             }
         };
     }
@@ -368,13 +413,19 @@ fn not_kept(cell: &CellEnvelope, limits: Limits) -> String {
     let beyond = |limit: Option<f64>, value: f64| limit.is_some_and(|limit| value > limit);
     let mut kinds = Vec::new();
     if cell.standing < limits.standing - 1.0e-9 || cell.standing <= 0.0 {
-        kinds.push(format!("it does not stand under {:.0} % of them", 100.0 * limits.standing));
+        kinds.push(match limits.standing {
+            1.0 => "the block does not stand under all motions".to_string(),
+            share => {
+                let share = rounded(100.0 * share, 4);
+                format!("the block stands under less than {share} % of the motions")
+            }
+        });
     }
     if beyond(limits.u, cell.max_u[2]) {
-        kinds.push("|u| is beyond its limit".to_string());
+        kinds.push("|u| exceeds its limit".to_string());
     }
     if beyond(limits.v, cell.stroke_v[2]) {
-        kinds.push("the stroke of v is beyond its limit".to_string());
+        kinds.push("the stroke of v exceeds its limit".to_string());
     }
     kinds.join(", ")
 }

@@ -6,16 +6,16 @@ use topple::scene::Grid;
 use topple::scene::record::rounded;
 use topple_pictures::drawing::render;
 use topple_pictures::studies::{envelope as envelope_picture, envelope_curves};
-use topple_studies::suites::Resample;
 use topple_studies::suites::envelope::{
     self, Best, CellEnvelope, Envelope, EnvelopeJob, EnvelopeRequest,
 };
 use topple_studies::suites::swept_motion::Values;
 use topple_studies::suites::verified::Verified;
+use topple_studies::suites::{Falling, Resample};
 use topple_studies::uncertain::{SAMPLES, Varied};
 
 use super::errors::sweep_error;
-use super::fragility_words::warn_of_few;
+use super::fragility_words::{FALLS, LEAVES, warn_of_few};
 use super::further::FurtherFlags;
 use super::limits::{IntervalFlags, LimitFlags};
 use super::named::best;
@@ -24,7 +24,7 @@ use super::options::{CommonFlags, RunOptions, flag_error};
 use super::results_directory::{Place, picture_files};
 use super::suite::counted;
 use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
-use super::words::Reporter;
+use super::words::{self, Reporter};
 use super::{InputError, examples, further, suite};
 
 /// Sweep a scene under every motion of a suite: find the cells in which the block stands within given strokes.
@@ -113,6 +113,8 @@ impl EnvelopeCommand {
         suite::count(&suite, &say);
         self.vary.iter().for_each(|varied| say.line("varies", varied));
         let EnvelopeJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
+        let down = sweep.downward();
+        self.motions.refuse_others(&sweep, options)?;
         self.motions.tell_of_scene(std::slice::from_ref(&sweep.scene), &say);
         suite_run::tell_of_base(&sweep, options)?;
         let times = Times::points(settings.times);
@@ -140,6 +142,7 @@ impl EnvelopeCommand {
         let best = envelope.best();
         let groups = envelope.settings.intervals.as_ref().map(|(groups, _)| groups);
         groups.into_iter().for_each(warn_of_few);
+        warn_of_falling(down.iter().step_by(envelope.settings.times.max(1)).flatten());
         suite_run::warn_of_radius(swept);
         let manifest = Manifest {
             suite: self.motions.manifest(swept, (&suite, options)),
@@ -167,6 +170,14 @@ impl EnvelopeCommand {
         }
         say.line("table", format!("{} with run.json", out.file(TABLE).display()));
         Ok(())
+    }
+}
+
+/// Warns of motions under which the ground accelerates downwards by more than g.
+fn warn_of_falling<'a>(down: impl Iterator<Item = &'a f64>) {
+    if let Some(of) = Falling::of(down.map(|down| (1.0, *down))) {
+        let (some, all) = (of.runs, counted(of.of_runs, "motion"));
+        words::warn(format!("under {some} of {all} {FALLS}: {LEAVES}"));
     }
 }
 
@@ -235,10 +246,12 @@ fn one(envelope: &Envelope, cell: usize) -> String {
     // The strokes of those that overturn it do not count.
     let of = if standing < 1.0 { ", of these " } else { ", " };
     let moves = envelope.sweep.scene.isolation;
-    if moves.moves_h() {
+    // Nothing is known of strokes where the block stands under no motion.
+    let stands = standing > 0.0;
+    if stands && moves.moves_h() {
         text += &format!("{of}|u| up to {:.3} m{}", max_u[2], limit(envelope.settings.limits.u));
     }
-    if moves.moves_v() {
+    if stands && moves.moves_v() {
         let of = if moves.moves_h() { ", " } else { of };
         text += &format!(
             "{of}stroke of v up to {:.3} m{}",

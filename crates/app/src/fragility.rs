@@ -192,8 +192,11 @@ impl FragilityCommand {
         if let Some((path, hazard)) = self.hazard.path().zip(hazard.as_ref()) {
             told::hazard(path, hazard, self.im, &say);
         }
-        let FragilityJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
+        let job = request.open(&suite).map_err(sweep_error)?;
+        let falling = job.falling();
+        let FragilityJob { sweep, settings } = job;
         self.motions.refuse_foreign(&place, &self.names(&settings.states))?;
+        self.motions.refuse_others(&sweep, options)?;
         self.motions.tell_of_scene(std::slice::from_ref(&sweep.scene), &say);
         suite_run::tell_of_base(&sweep, options)?;
         let times = Times::points(settings.times);
@@ -242,7 +245,8 @@ impl FragilityCommand {
         for (name, svg, png) in &figures {
             out.picture(name, svg, png)?;
         }
-        told::warn(&study, self.im);
+        told::warn(&study, self.im, self.levels.as_ref());
+        told::warn_of_falling(falling, (self.im, self.levels.as_ref()));
         suite_run::warn_of_radius(swept);
         let empty = self.exports().filter(|export| export.is_empty(&study));
         empty.for_each(|export| words::warn(told::without_curves(export)));
@@ -334,7 +338,7 @@ impl FragilityCommand {
         let figure = |(number, state): (usize, &LimitState)| {
             let rates: Option<Vec<Option<f64>>> = study.settings.hazard.as_ref().map(|_| {
                 let fit = study.cells.iter().map(|cell| &cell.states[number].estimates[0]);
-                fit.map(|fit| fit.rate.as_ref()?.at_most()).collect()
+                fit.map(|fit| fit.rate.as_ref()?.with_missing()).collect()
             });
             let target = rates.as_deref().zip(self.target);
             finish(picture_of(state), picture::maps(study, number, self.im, target, print)?)

@@ -3,6 +3,7 @@
 use topple::scene::record::rounded;
 use topple_studies::fragility::estimate::{Estimate, Note};
 use topple_studies::fragility::hazard::in_50_years;
+use topple_studies::fragility::limit_state::LimitState;
 use topple_studies::fragility::order::Crossing;
 use topple_studies::fragility::study::Study;
 use topple_studies::fragility::{Gap, RateEstimate, Stripe};
@@ -80,7 +81,7 @@ fn between(low: Option<f64>, high: Option<f64>) -> String {
 /// Why there is no rate, and what is known all the same.
 fn unknown(fit: &Estimate, rate: &RateEstimate, unit: &str) -> String {
     let told = |level: f64| format!("{}{unit}", rounded(level, 4));
-    let high = rate.at_most().map(digits);
+    let high = rate.with_missing().map(digits);
     match fit.note {
         Some(Note::Separable(Gap { stands: Some(stands), fails: None })) => {
             let why = format!("no motion fails up to {}", told(stands));
@@ -105,7 +106,7 @@ fn unknown(fit: &Estimate, rate: &RateEstimate, unit: &str) -> String {
 /// What a rate is against a target; none where nothing is known.
 fn judged(rate: &RateEstimate, target: f64) -> Option<String> {
     let below = rate.is_below(target)?;
-    let most = rate.at_most();
+    let most = rate.with_missing();
     let value = most.map_or("not known".to_string(), digits);
     let end = match (rate.rate, rate.high) {
         (None, _) => String::new(),
@@ -147,28 +148,38 @@ pub fn of_cells<'a>(fits: impl Iterator<Item = &'a Estimate>, target: Option<f64
     }
 }
 
+/// A curve above that of a limit state that its own implies, with what the rate is without it, in words.
+pub fn crosses(
+    states: &[LimitState],
+    crossing: &Crossing,
+    rate: Option<&RateEstimate>,
+    unit: &str,
+) -> String {
+    let Crossing { inner, outer, level, below, share, .. } = crossing;
+    let (one, other) = (states[*inner], states[*outer]);
+    let side = if *below { "below" } else { "above" };
+    let place = level
+        .map_or(" everywhere".to_string(), |level| format!(" {side} {}{unit}", rounded(level, 4)));
+    let ordered = rate.and_then(|rate| rate.ordered);
+    let counts = share.zip(ordered).map_or(String::new(), |(share, ordered)| {
+        format!(
+            "; {} of its annual rate comes from there, held below it is {} (rate_ordered)",
+            percent(share),
+            digits(ordered)
+        )
+    });
+    format!(
+        "the curve of {one} is above that of {other}{place}, though {one} implies {other}{counts}; more levels or motions there tell more"
+    )
+}
+
 /// Warns of curves that cross, though one limit state implies the other.
 pub fn warn_of_crossings(study: &Study, unit: &str) {
     let states = &study.settings.states;
     if let [_] = study.cells[..] {
-        for Crossing { inner, outer, level, below, share, .. } in study.crossings(0) {
-            let (one, other) = (states[inner], states[outer]);
-            let side = if below { "below" } else { "above" };
-            let place = level.map_or(" everywhere".to_string(), |level| {
-                format!(" {side} {}{unit}", rounded(level, 4))
-            });
-            let rates = &study.cells[0].states[inner].estimates[0].rate;
-            let ordered = rates.as_ref().and_then(|rate| rate.ordered);
-            let counts = share.zip(ordered).map_or(String::new(), |(share, ordered)| {
-                let ordered = digits(ordered);
-                format!(
-                    "; {} of its annual rate comes from there, held below it is {ordered} (rate_ordered)",
-                    percent(share)
-                )
-            });
-            words::warn(format!(
-                "the curve of {one} is above that of {other}{place}, though {one} implies {other}{counts}; more levels or motions there tell more"
-            ));
+        for crossing in study.crossings(0) {
+            let rate = study.cells[0].states[crossing.inner].estimates[0].rate.as_ref();
+            words::warn(crosses(states, &crossing, rate, unit));
         }
         return;
     }

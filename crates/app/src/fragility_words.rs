@@ -3,13 +3,16 @@
 use std::path::Path;
 
 use topple::results::files::Directory;
+use topple::scene::Values;
 use topple::scene::record::rounded;
 use topple_studies::fragility::estimate::Estimate;
 use topple_studies::fragility::sensitivity::Sensitivity;
 use topple_studies::fragility::study::Study;
 use topple_studies::fragility::{Estimator, Export, HazardCurve, HazardText, Stripe};
+use topple_studies::suites::Falling;
 use topple_studies::suites::intensity::Intensity;
 use topple_studies::suites::resample::{FEWEST_EVENTS, Groups, Resample};
+use topple_studies::uncertain::Index;
 
 use super::fragility_rates as rates;
 use super::suite::counted;
@@ -48,13 +51,38 @@ pub fn notes(study: &Study) -> Vec<String> {
 }
 
 /// Warns of what the curves tell less well than they seem to.
-pub fn warn(study: &Study, im: Intensity) {
+pub fn warn(study: &Study, im: Intensity, levels: Option<&Values>) {
     warn_of_few(&study.settings.groups);
     let states = study.cells.iter().flat_map(|cell| &cell.states);
     let stripes = states.flat_map(|of| &of.stripes);
-    warn_of_units(stripes, study.settings.hazard.as_ref(), im);
+    warn_of_units(stripes, study.settings.hazard.as_ref(), (im, levels));
     rates::warn_of_crossings(study, &unit(im));
 }
+
+/// Warns of levels, or of motions as they are, at which the ground accelerates downwards by more than g.
+pub fn warn_of_falling(falling: Option<Falling>, (im, levels): (Intensity, Option<&Values>)) {
+    let Some(of) = falling else { return };
+    let at = |level: f64| format!("from {} = {}{} on", im.symbol(), rounded(level, 4), unit(im));
+    let from = at(of.from);
+    words::warn(match levels {
+        Some(_) => format!(
+            "at {} of {} levels, {from}, {FALLS} under some motions{}: {LEAVES}",
+            of.levels,
+            of.of_levels,
+            half(of.half.map(at))
+        ),
+        None => format!("under {} of {} motions, {from}, {FALLS}: {LEAVES}", of.runs, of.of_runs),
+    });
+}
+
+/// From where on half of the motions do so, where there is such a level.
+pub fn half(from: Option<String>) -> String {
+    from.map_or(String::new(), |from| format!(", {from} under half of them or more"))
+}
+
+/// What the ground does there, and what follows.
+pub const FALLS: &str = "the ground accelerates downwards by more than g";
+pub const LEAVES: &str = "the block would leave its base there; the model does not describe that, so do not rely on these results";
 
 /// Warns of intervals that are of few events, or would be: they are too narrow.
 pub fn warn_of_few(groups: &Groups) {
@@ -78,11 +106,11 @@ pub fn warn_of_few(groups: &Groups) {
 }
 
 /// Warns of levels of which those that were meant may be in another unit: none of them does anything to a block, or none is a
-/// level of the hazard curve.
+/// level of the hazard curve. Where nobody gave levels, those of the motions as they are tell of the curve alone.
 pub fn warn_of_units<'a>(
     stripes: impl Iterator<Item = &'a Stripe>,
     hazard: Option<&HazardCurve>,
-    im: Intensity,
+    (im, given): (Intensity, Option<&Values>),
 ) {
     let (mut low, mut high, mut fails) = (f64::MAX, 0.0_f64, false);
     for stripe in stripes {
@@ -95,11 +123,15 @@ pub fn warn_of_units<'a>(
     {
         let side = if high < from { "below" } else { "above" };
         let curve = format!("{} to {}{}", rounded(from, 4), rounded(to, 4), unit(im));
+        let all = match given {
+            Some(_) => format!("all levels, {ends}"),
+            None => format!("all motions as they are, {} {ends}", im.symbol()),
+        };
         words::warn(format!(
-            "all levels, {ends}, are {side} the hazard curve, {curve}: are both in the same unit?"
+            "{all}, are {side} the hazard curve, {curve}: are both in the same unit?"
         ));
     }
-    if im.unit() == "m/s²" && !fails && high < MEANT_IN_G {
+    if given.is_some() && im.unit() == "m/s²" && !fails && high < MEANT_IN_G {
         words::warn(format!(
             "no motion does anything at the levels, {ends}: levels are in m/s²; if they were meant in g, multiply them by 9.81"
         ));
@@ -170,17 +202,7 @@ pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
     if let ([one], Some(unknown)) = (&study.cells[..], &study.settings.unknown) {
         let overturning = one.states[0].sensitivity.iter().flat_map(|of| &of.indices);
         for (k, (varied, index)) in unknown.varied.iter().zip(overturning).enumerate() {
-            let number = |value: f64| format!("{value:.2}");
-            let text = format!(
-                "{}: {} alone ({} to {}), {} with others ({} to {})",
-                varied.parameter.key(),
-                number(index.first),
-                number(index.first_low),
-                number(index.first_high),
-                number(index.total),
-                number(index.total_low),
-                number(index.total_high)
-            );
+            let text = format!("{}: {}", varied.parameter.key(), explained(index));
             say.line(if k == 0 { "explains" } else { "" }, text);
         }
     }
@@ -202,6 +224,22 @@ pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
     if unresolved > 0 {
         say.line("left out", format!("{unresolved} runs that are unresolved"));
     }
+}
+
+/// What a number that is not known explains, in words.
+fn explained(index: &Index) -> String {
+    let Index { first, first_low, first_high, total, total_low, total_high } = index;
+    if [first, total].iter().any(|value| value.is_nan()) {
+        return "not known: at all points as many runs fail, so that more samples (--samples) or other levels are needed".into();
+    }
+    if [first_low, first_high, total_low, total_high].iter().any(|value| value.is_nan()) {
+        return format!(
+            "{first:.2} alone, {total:.2} with others; too few samples for an interval (--samples)"
+        );
+    }
+    format!(
+        "{first:.2} alone ({first_low:.2} to {first_high:.2}), {total:.2} with others ({total_low:.2} to {total_high:.2})"
+    )
 }
 
 /// Which of several estimators to use, and why.
@@ -255,13 +293,16 @@ fn curve(fit: &Estimate, im: Intensity) -> String {
             between(fit.beta_low, fit.beta_high)
         ),
         (Some(theta), None) => {
+            let beta = match fit.beta_high {
+                Some(_) => between(None, fit.beta_high),
+                None => " not known".to_string(),
+            };
             format!(
-                "theta about {}{} of {}{}, beta{}{note}",
+                "theta about {}{} of {}{}, beta{beta}{note}",
                 digits(theta),
                 unit(im),
                 im.symbol(),
-                between(fit.theta_low, fit.theta_high),
-                between(None, fit.beta_high)
+                between(fit.theta_low, fit.theta_high)
             )
         }
         (None, _) => format!("no curve{note}"),

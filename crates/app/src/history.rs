@@ -27,7 +27,7 @@ use super::record::RecordFlags;
 use super::results_directory::Place;
 use super::save::save;
 use super::words::{self, Reporter};
-use super::{InputError, examples};
+use super::{InputError, device_remarks, examples};
 
 /// Compute the motion of one cell; every number has a single value.
 #[derive(clap::Args)]
@@ -151,6 +151,7 @@ pub fn run_cell(scene: &Scene, more: &MoreColumns, options: &RunOptions) -> anyh
     let files = ["history.csv", "history.svg", "history.png", EVENTS].map(String::from);
     place.refuse_foreign(&files)?;
     let mut out = place.open_alone()?;
+    device_remarks::warn(scene);
     let case = scene.case();
     let (rows, outcome) = match (options.backend(), options.precision()) {
         (BackendRequest::Reference, _) => motion::by_reference(scene, &case),

@@ -10,6 +10,7 @@ mod command_line;
 mod compare;
 mod completions;
 mod date;
+mod device_remarks;
 mod disk;
 mod earlier_run;
 mod envelope;

@@ -22,7 +22,7 @@ use super::picture_flags::PictureFlags;
 use super::progress::{Bar, Screen};
 use super::results_directory::Place;
 use super::words::{self, Reporter, with_flags};
-use super::{InputError, examples, interrupt, map_files};
+use super::{InputError, device_remarks, examples, interrupt, map_files};
 
 /// Points of an axis of the sample that tells how large the files will be.
 const SAMPLE: usize = 96;
@@ -109,6 +109,9 @@ impl MergeCommand {
         if let Some(levels) = self.refine {
             refine::check(&map.plan.scene, levels).map_err(|error| flag_error(&error))?;
         }
+        device_remarks::warn(&map.plan.scene);
+        words::warn_of_cut_pulses(grid);
+        words::warn_of_lossless_impacts(&map.plan, grid);
         let mut refined = None;
         // A shard does not know its neighbours.
         if map.method.repair || self.refine.is_some() {

@@ -12,7 +12,7 @@ use super::written::one_of;
 #[command(next_help_heading = "Pictures")]
 #[serde(default)]
 pub struct PictureFlags {
-    /// Title of the pictures, instead of the usual one; if there are several pictures, what each shows follows the title
+    /// Title of the pictures, and of the run in a report; if there are several pictures, what each shows follows the title
     #[arg(long, value_name = "TEXT", value_parser = title)]
     #[serde(skip_serializing_if = "Option::is_none")]
     title: Option<String>,

@@ -13,7 +13,6 @@ use topple_pictures::studies::probability as picture;
 use topple_studies::uncertain::Uncertainty;
 use topple_studies::uncertain::probability::{self, Probabilities};
 
-use super::InputError;
 use super::errors::sweep_error;
 use super::memory;
 use super::options::{MapOptions, Verify};
@@ -22,6 +21,7 @@ use super::print::print_line;
 use super::progress::Screen;
 use super::results_directory::{Place, picture_files};
 use super::words::{self, Reporter};
+use super::{InputError, device_remarks};
 
 /// run.json of a probability map.
 #[derive(Serialize)]
@@ -73,6 +73,7 @@ pub fn run(scene: &Scene, options: &MapOptions, place: Place) -> anyhow::Result<
     if uncertainty.pixel {
         say.line("varies", "the axes, within the pixel of each cell");
     }
+    device_remarks::warn(scene);
     words::warn_of_cut_pulses(&grid);
     let mut settings = options.settings(scene);
     (settings.saving, settings.verify) = (None, Verify::settings(options.verify));
@@ -119,11 +120,7 @@ pub fn run(scene: &Scene, options: &MapOptions, place: Place) -> anyhow::Result<
     say.line("error", format!("the standard error of a probability is {error}"));
     let [sampled, differ] = all.verified;
     if sampled > 0 {
-        let inside = all.differ_inside;
-        let text = format!(
-            "{sampled} cells again, {differ} differ in outcome, {inside} of them amid one outcome"
-        );
-        say.line("reference", text);
+        say.line("reference", words::reference(sampled, differ, all.differ_inside));
     }
     match svg {
         Some(_) => say.line("picture", out.file("probability.png").display()),

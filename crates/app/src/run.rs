@@ -19,7 +19,7 @@ use super::options::{MapOptions, Verify};
 use super::progress::Screen;
 use super::results_directory::Place;
 use super::words::{self, Reporter};
-use super::{InputError, disk, estimate, interrupt, map_files, probability};
+use super::{InputError, device_remarks, disk, estimate, interrupt, map_files, probability};
 
 /// Runs a scene's map and writes its files, or runs a shard of it and leaves its chunks.
 pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
@@ -75,6 +75,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
         disk::fits(disk::of_run(&job, estimate, options), &options.run.out)?;
     }
     words::head(&say, &job.plan, &job.grid, job.backends(), options.run.precision());
+    device_remarks::warn(&job.plan.scene);
     words::warn_of_cut_pulses(&job.grid);
     words::warn_of_lossless_impacts(&job.plan, &job.grid);
     begin(&say, &job, options);

@@ -53,6 +53,8 @@ struct Manifest<'a> {
     left_out: BTreeMap<&'a str, &'a str>,
     /// Files that are no part of any line, each with what it is.
     unused: BTreeMap<&'a str, &'a str>,
+    #[serde(skip_serializing_if = "PictureFlags::is_plain")]
+    pictures: &'a PictureFlags,
 }
 
 /// Where a motion came from, and how strong it is after scaling.
@@ -159,6 +161,7 @@ impl SuiteCommand {
             records: sources(&suite),
             left_out: left_out(&suite),
             unused: suite.unused.iter().map(|one| (&*one.file, &*one.why)).collect(),
+            pictures: &self.pictures,
         };
         out.finish(&manifest)?;
         tell(&suite, &say);

@@ -19,11 +19,12 @@ use super::command_line::CommandLine;
 use super::errors::sweep_error;
 use super::estimate::duration;
 use super::options::{CommonFlags, RunOptions, Verify, flag_error};
+use super::picture_flags::PictureFlags;
 use super::progress::Screen;
 use super::results_directory::{self, Place};
 use super::suite::Source;
 use super::words::Reporter;
-use super::{InputError, interrupt, suite, words};
+use super::{InputError, device_remarks, interrupt, suite, words};
 
 /// The motions, and how they are run. What is refused under a suite is not in the help: a friction, and a scene's file.
 #[derive(clap::Args)]
@@ -95,6 +96,8 @@ pub struct SuiteManifest<'a> {
     cells: usize,
     sweep_seconds: f64,
     records_times_cells_per_second: f64,
+    #[serde(skip_serializing_if = "PictureFlags::is_plain")]
+    pictures: &'a PictureFlags,
 }
 
 impl SuiteFlags {
@@ -148,6 +151,19 @@ impl SuiteFlags {
         place.refuse_foreign(names)
     }
 
+    /// Refuses a directory of somebody else, and to resume another run. It comes before anything is warned of: what is refused is one line.
+    pub fn refuse_others(&self, job: &SuiteJob, options: &RunOptions) -> anyhow::Result<()> {
+        if job.finds_others().map_err(sweep_error)? && self.resume {
+            let folder = saved::folder(&options.out);
+            let problem = format!(
+                "--resume: {} holds motions of another run; give the flags of that run, or another directory",
+                folder.display()
+            );
+            return Err(InputError(problem).into());
+        }
+        Ok(())
+    }
+
     /// Says what is swept, and that both directions of a block without an eccentricity are the same.
     pub fn tell_of_scene(&self, scenes: &[Scene], say: &Reporter) {
         let parts = match scenes {
@@ -195,14 +211,6 @@ impl SuiteFlags {
     ) -> anyhow::Result<Option<SuiteSweep>> {
         let screen = Screen::new(options.quiet);
         options.warn_of(&job.backends().passed_over, &job.backends().backends[0]);
-        if self.resume && job.finds_others().map_err(sweep_error)? {
-            let folder = saved::folder(&options.out);
-            let problem = format!(
-                "--resume: {} holds motions of another run; give the flags of that run, or another directory",
-                folder.display()
-            );
-            return Err(InputError(problem).into());
-        }
         let (cells, each, count) = (job.cells(), job.grid.len(), job.motions().len());
         let levels = cells / (each * count).max(1);
         let size = size(&job, times, levels);
@@ -242,7 +250,7 @@ impl SuiteFlags {
     pub fn manifest<'a>(
         &'a self,
         swept: &'a SuiteSweep,
-        (suite, options): (&'a Suite, &RunOptions),
+        (suite, options): (&'a Suite, &'a RunOptions),
     ) -> SuiteManifest<'a> {
         let runs: usize = swept.motions.iter().map(|motion| motion.outcomes.len()).sum();
         SuiteManifest {
@@ -258,6 +266,7 @@ impl SuiteFlags {
             cells: swept.grid.len(),
             sweep_seconds: swept.seconds,
             records_times_cells_per_second: runs as f64 / swept.seconds.max(1.0e-9),
+            pictures: &options.pictures,
         }
     }
 }
@@ -285,6 +294,7 @@ impl Times {
 pub fn tell_of_base(job: &SuiteJob, options: &RunOptions) -> Result<(), InputError> {
     let plan = options.plan(&job.scene).map_err(|error| flag_error(&error))?;
     words::device(&Reporter::unless(options.quiet), None, &job.scene);
+    device_remarks::warn(&job.scene);
     words::warn_of_lossless_impacts(&plan, &job.grid);
     Ok(())
 }
@@ -333,11 +343,7 @@ pub fn tell_verified(swept: &SuiteSweep, say: &Reporter) {
     if *sampled == 0 {
         return;
     }
-    let verdict = match inside {
-        0 => "none amid cells of one outcome".to_string(),
-        some => format!("{some} amid cells of one outcome: wrong there, or chaotic"),
-    };
-    say.line("reference", format!("{sampled} cells again, {differ} differ in outcome, {verdict}"));
+    say.line("reference", words::reference(*sampled as usize, *differ as usize, *inside as usize));
     for place in wrong.iter().take(SHOWN) {
         say.line("", place);
     }

@@ -16,12 +16,11 @@ use topple::model::block::Model;
 use topple::model::precision::Precision;
 use topple::refine::report::{ProbeRound, RefineReport};
 use topple::results::tally::Tally;
-use topple::scene::device::DEFAULT_XI_H;
 use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::keys;
 use topple::scene::parameters::{Caption, PARAMETERS, Section};
 use topple::scene::record::rounded;
-use topple::scene::{Case, Device, Directions, Excitation, Grid, Parameter, Scene, Values};
+use topple::scene::{Case, Directions, Excitation, Grid, Parameter, Scene, Values};
 use topple::stepping::outcome::Class;
 use topple::sweep::repaired::Repair;
 use topple::sweep::verdict;
@@ -159,8 +158,7 @@ pub fn warn_of_cut_pulses(grid: &Grid) {
     }
 }
 
-/// Says what the numbers of a device make of the base; and, of a base of the paper that yields at a given displacement or
-/// force, that a damper acts beside it: a device whose friction or yielding is all of its damping has none.
+/// Says what the numbers of a device make of the base.
 pub fn device(say: &Reporter, name: Option<&str>, scene: &Scene) {
     let name = name.map(|name| format!("{name}: ")).unwrap_or_default();
     if let Some(device) = DeviceNumbers::of(scene) {
@@ -168,19 +166,6 @@ pub fn device(say: &Reporter, name: Option<&str>, scene: &Scene) {
     }
     if let Some(stop) = stop(scene) {
         say.line("stop", format!("{name}{stop}"));
-    }
-    let given = |own: &Parameter| scene.numbers.has(*own);
-    let strength = [Parameter::UY, Parameter::YieldForce].into_iter().find(given);
-    let damper = scene.numbers.get(Parameter::XiH).and_then(Values::single);
-    if let Some(strength) = strength
-        && Device::of(&scene.numbers) == Device::Paper
-        && damper == Some(DEFAULT_XI_H)
-    {
-        let problem = "5 % of damping on the initial stiffness acts beside the device";
-        say.line(
-            "warning",
-            format!("{name}{}: {problem}; --xi-h 0 leaves it out", strength.entry().flag()),
-        );
     }
 }
 
@@ -415,6 +400,27 @@ pub fn refined(report: &RefineReport) -> Vec<String> {
     lines
 }
 
+/// What the reference says of a sample of cells: so many that were computed again, of another outcome, and of these inside an area of
+/// one outcome.
+pub fn reference(sampled: usize, differ: usize, inside: usize) -> String {
+    let again = format!("{sampled} cells computed again");
+    let count =
+        if differ == 1 { "1 outcome differs".into() } else { format!("{differ} outcomes differ") };
+    match (differ, inside) {
+        (0, _) => format!("{again}: all outcomes are equal"),
+        (_, 0) => {
+            format!(
+                "{again}: {count}, where this is expected: beside a boundary between outcomes, or in chaotic motion"
+            )
+        }
+        (_, some) => {
+            format!(
+                "{again}: {count}, {some} of them inside an area of one outcome: wrong there, or chaotic"
+            )
+        }
+    }
+}
+
 /// How a map was repaired whose sweep took so many seconds.
 pub fn repair(repair: &Repair, sweep: f64) -> String {
     let Repair { checked, changed, undecided, rounds, seconds, .. } = repair;
@@ -467,5 +473,21 @@ pub fn style(v: &Verification) -> Style {
         Verdict::AsExpected => NOTICE,
         Verdict::Wrong => WRONG,
         Verdict::Nothing => WRONG,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::reference;
+
+    #[test]
+    fn what_the_reference_says_is_a_sentence_for_each_case() {
+        assert_eq!(reference(128, 0, 0), "128 cells computed again: all outcomes are equal");
+        let at_boundaries = reference(128, 1, 0);
+        assert!(at_boundaries.contains("again: 1 outcome differs, where this is expected"));
+        let wrong = reference(128, 3, 2);
+        assert!(
+            wrong.contains("3 outcomes differ, 2 of them inside an area of one outcome: wrong")
+        );
     }
 }

@@ -52,7 +52,7 @@ pub fn of(folders: &[Folder], asked: Option<&str>) -> Result<Document, ReportErr
     }
     let title = match (asked, folders) {
         (Some(asked), _) => asked.to_string(),
-        (None, [one]) => title(one),
+        (None, [one]) => one.title().map_or_else(|| title(one), String::from),
         (None, several) => format!("{} runs of topple", several.len()),
     };
     Ok(Document { title, pieces })
@@ -77,7 +77,8 @@ const LEFT_OUT: [&str; 7] = [
     "The block and the plates are rigid, and so is the ground below. A block that bends, cracks or has loose parts behaves otherwise.",
     "The block does not slide on its base. Where a map of the friction that is needed is given, compare it with the friction there is.",
     "The block is lifted at a sharp corner and loses speed at each impact by a formula, not by a measured value.",
-    "The base does not pull at the block. Maps mark where it would have to, and comparisons warn of it; envelopes and fragilities do not look for it.",
+    "The base does not pull at the block. Maps mark where it would have to, and histories and comparisons warn of it; envelopes and fragilities warn where \
+     the ground itself accelerates downwards by more than g, and do not look further.",
     "Rocking depends on small differences: one single calculation says little of one real event. Shares over many motions say more.",
     "Whether the ground motions are right for the site, and whether devices keep their numbers over the years, is not examined here.",
 ];
@@ -94,11 +95,12 @@ fn scaled(folder: &Folder) -> String {
     }
 }
 
-/// The title of a run: that of its scene, and where it lies.
+/// The title of a run, and where it lies: the one that its pictures have, or that of its scene.
 fn title(folder: &Folder) -> String {
     let name = folder.path.file_name().map(|name| name.to_string_lossy());
     let name = name.unwrap_or_else(|| folder.path.to_string_lossy());
     match &folder.scene {
+        _ if folder.title().is_some() => format!("{} ({name})", folder.title().unwrap_or_default()),
         // The scene of a comparison is that of its first device.
         Some(scene) if folder.kind != Kind::Comparison => format!("{} ({name})", scene.title),
         _ => {

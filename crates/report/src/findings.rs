@@ -2,13 +2,14 @@
 
 use std::collections::BTreeSet;
 
+use topple::results::columns::TABLE;
 use topple::results::earlier::Kind;
 use topple::scene::words;
 
 use super::document::Piece;
 use super::folder::{Folder, ReportError, Row, Rows};
 use super::fragility;
-use super::tables::{ROWS, more, number, percent, shown, table};
+use super::tables::{ROWS, more, number, percent, shown, table, value};
 
 /// What a picture shows, by its name and the kind of the run.
 fn meaning(kind: Kind, name: &str) -> &'static str {
@@ -23,12 +24,14 @@ fn meaning(kind: Kind, name: &str) -> &'static str {
              of the block that were varied."
         }
         (Kind::Fragility, _) => {
-            "How likely the block fails, over the strength of the ground motion: the further to the right a curve lies, the stronger \
-             the motions that the block survives. Marks are counted motions; the bands show how far so few motions leave the curve open."
+            "How likely the block fails, over the strength of the ground motion: the farther to the right a curve lies, the stronger \
+             the motions that the block survives. A mark is the share of the motions that make the block fail at this strength; a curve is \
+             fitted to the marks. A band shows how uncertain its curve is: with other motions of the same kind the curve would lie in the band \
+             in 95 of 100 cases."
         }
         (Kind::Comparison, _) => {
-            "The devices side by side: under which share of the motions the block stands, how far each base moves and, where factors \
-             on the motions were tried, how much stronger they may become."
+            "The devices side by side: under which share of the motions the block stands, how far each base moves under these motions (one \
+             that overturns the block is left out) and, where factors on the motions were tried, how much stronger the motions may become."
         }
         (Kind::Probability, _) => {
             "How likely the block overturns where numbers are not known exactly: each point is the share of many calculations."
@@ -126,7 +129,7 @@ fn outcomes(folder: &Folder) -> Vec<Piece> {
     let cells = folder.number("cells").unwrap_or(0.0).max(1.0);
     let counts = folder.run.get("outcomes").and_then(|of| of.as_object());
     if let (1.0, Some(text)) = (cells, single(folder)) {
-        return vec![Piece::Text(text)];
+        return std::iter::once(text).chain(tensile(folder)).map(Piece::Text).collect();
     }
     let mut pieces = vec![Piece::Text(format!("The run has {cells} calculations."))];
     let rows = counts.into_iter().flatten().filter_map(|(key, count)| {
@@ -139,14 +142,26 @@ fn outcomes(folder: &Folder) -> Vec<Piece> {
         "A share of the map is no probability: it says how much of the area of the map has this outcome."
             .into(),
     ));
-    if let Some(tensile) = folder.number("tensile_cells").filter(|count| *count > 0.0) {
-        pieces.push(Piece::Text(format!(
-            "In {} of the map the base would have to pull at the block. There the model does not hold; the map is hatched.",
-            percent(tensile / cells)
-        )));
-    }
+    pieces.extend(tensile(folder).map(Piece::Text));
     pieces
 }
+
+/// That in a part of a map, or in its single cell, the base would have to pull at the block.
+pub fn tensile(folder: &Folder) -> Option<String> {
+    let cells = folder.number("cells").unwrap_or(0.0).max(1.0);
+    let tensile = folder.number("tensile_cells").filter(|count| *count > 0.0)?;
+    Some(match cells {
+        1.0 => PULLS.into(),
+        cells => format!(
+            "In {} of the map the base would have to pull at the block. There the model does not hold; the map is hatched.",
+            percent(tensile / cells)
+        ),
+    })
+}
+
+/// What is said of a motion in which the base would have to pull at the block.
+const PULLS: &str = "The contact force becomes tensile: the base would have to pull at the block. From then on the model does not hold, and the result is \
+                     not reliable.";
 
 /// What a single motion does, in sentences.
 pub fn motion(folder: &Folder) -> String {
@@ -163,6 +178,9 @@ pub fn motion(folder: &Folder) -> String {
         if let Some(value) = value(key) {
             text += &format!("{before} {}{after}", number(value));
         }
+    }
+    if value("min_contact").is_some_and(|least| least < 0.0) {
+        text += &format!(" {PULLS}");
     }
     text
 }
@@ -204,12 +222,17 @@ fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
 fn limits(folder: &Folder) -> String {
     let share = folder.number("standing").unwrap_or(1.0);
     let mut text = match share {
-        1.0 => "The block is to stand under all motions".to_string(),
-        share => format!("The block is to stand under {} of the motions", percent(share)),
+        1.0 => "Limits: the block stands under all motions".to_string(),
+        share => {
+            format!("Limits: the block stands under at least {} of the motions", percent(share))
+        }
     };
-    for (key, what) in [("limit_u", "horizontally"), ("limit_v", "vertically")] {
+    for (key, what) in [
+        ("limit_u", "the base moves horizontally by at most"),
+        ("limit_v", "its vertical stroke is at most"),
+    ] {
         if let Some(limit) = folder.number(key) {
-            text += &format!(", the base to move {what} by no more than {limit} m");
+            text += &format!("; {what} {limit} m");
         }
     }
     text + "."
@@ -229,8 +252,54 @@ pub fn kept(folder: &Folder) -> String {
     text
 }
 
+/// The best base of an envelope, by its place on the axes, with its strokes and its reserve; none where no base keeps its limits.
+///
+/// # Errors
+/// [`ReportError::File`]: a table that cannot be read.
+pub fn best(folder: &Folder) -> Result<Option<String>, ReportError> {
+    let rows = folder.table("envelope.csv")?.unwrap_or_default();
+    let Some(row) = folder.number("best_cell").and_then(|cell| rows.get(cell as usize)) else {
+        return Ok(None);
+    };
+    let swept = folder.scene.as_ref().map(|scene| scene.swept()).unwrap_or_default();
+    let at =
+        swept.iter().filter_map(|one| Some(one.entry().written(number(value(row, one.key())?))));
+    let at: Vec<String> = at.collect();
+    let mut text = match &at[..] {
+        [] => "The block".to_string(),
+        at => {
+            let by = match folder.text("best") {
+                Some("stroke_u") => "with the smallest horizontal displacement",
+                Some("stroke_v") => "with the smallest vertical stroke",
+                _ => "the farthest on the map from bases that do not keep all limits",
+            };
+            format!("The best base, {by}, has {}: on it the block", at.join(", "))
+        }
+    };
+    text += &match value(row, "standing").unwrap_or(0.0) {
+        1.0 => " stands under all motions".to_string(),
+        share => format!(" stands under {} of the motions", percent(share)),
+    };
+    for (column, what) in [
+        ("max_u_100", "the base moves horizontally by up to"),
+        ("stroke_v_100", "its vertical stroke is up to"),
+    ] {
+        if let Some(stroke) = value(row, column).filter(|stroke| *stroke > 0.0) {
+            text += &format!(", {what} {} m", number(stroke));
+        }
+    }
+    text += ".";
+    text += &match value(row, "reserve").filter(|_| rows.len() > 1) {
+        None => String::new(),
+        Some(1.0) => " A base beside it on the map does not keep all limits: its reserve is 1 step of the map.".into(),
+        Some(steps) => format!(" Its reserve is {steps} steps of the map to the nearest base that does not keep all limits."),
+    };
+    Ok(Some(text))
+}
+
 fn envelope(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
-    let mut pieces = vec![Piece::Text(kept(folder))];
+    let found = std::iter::once(kept(folder)).chain(best(folder)?);
+    let mut pieces = vec![Piece::Text(found.collect::<Vec<_>>().join(" "))];
     let rows = folder.table("envelope.csv")?.unwrap_or_default();
     if rows.len() == 1 {
         // The reserve of an envelope is in steps of its grid, and one cell has no neighbours.
@@ -245,20 +314,23 @@ fn envelope(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
 const STROKES: [(&str, &str); 16] = [
     ("standing", "share of the motions under which the block stands"),
     ("overturned", "probability that a motion overturns it"),
-    ("overturned_low", "95 %: from"),
-    ("overturned_high", "to"),
+    ("overturned_low", "lower end of its 95 % interval"),
+    ("overturned_high", "upper end of its 95 % interval"),
     ("lifted", "share of the motions under which it lifts"),
     ("max_u_50", "|u| not exceeded under 50 % [m]"),
-    ("max_u_84", "84 %"),
-    ("max_u_100", "100 %"),
+    ("max_u_84", "|u| not exceeded under 84 % [m]"),
+    ("max_u_100", "|u| not exceeded under 100 % [m]"),
     ("stroke_v_100", "largest vertical stroke [m]"),
     ("feasible", "keeps all limits (1: yes)"),
     ("reserve", "keeps all limits up to so many times the motions"),
     ("fails_at", "exceeds a limit at so many times the motions"),
     ("rate", "overturnings a year"),
-    ("rate_low", "95 %: from"),
-    ("rate_high", "to"),
-    ("rate_at_most", "a year at most, with what the hazard curve leaves out"),
+    ("rate_low", "lower end of its 95 % interval"),
+    ("rate_high", "upper end of its 95 % interval"),
+    (
+        "rate_with_missing",
+        "overturnings a year, with what may be missing beyond both ends of the hazard curve",
+    ),
 ];
 
 /// Devices whose numbers stand beside each other.
@@ -298,16 +370,30 @@ fn comparison(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         scenes.iter().map(|scene| format!("{}: {}", scene.title, words::fixed(scene).join(", ")));
     pieces.push(Piece::List(numbers.collect()));
     // Columns that were asked for have their own names.
-    let of_tables = ["device", "records", "stroke_v_50", "stroke_v_84"];
+    let of_tables = ["device", "records", "stroke_v_50", "stroke_v_84", "rate_ordered"];
     let known = |column: &str| {
         of_tables.contains(&column) || STROKES.iter().any(|(known, _)| *known == column)
     };
     let asked = rows.iter().flat_map(|row| row.keys()).filter(|column| !known(column));
     let asked: BTreeSet<&String> = asked.collect();
+    let named: Vec<(&str, String)> =
+        asked.into_iter().map(|column| (column.as_str(), percentile(column))).collect();
     let mut columns = STROKES.to_vec();
-    columns.extend(asked.iter().map(|column| (column.as_str(), column.as_str())));
+    columns.extend(named.iter().map(|(column, name)| (*column, name.as_str())));
     pieces.extend(beside(&rows, ("device", &columns)));
     Ok(pieces)
+}
+
+/// What a percentile of a column of a map is, by its name: `zeta_84`.
+fn percentile(name: &str) -> String {
+    let of = || {
+        let (column, share) = name.rsplit_once('_')?;
+        let entry = TABLE.iter().find(|entry| entry.name == column)?;
+        let meaning = entry.meaning.split([';', ':']).next().unwrap_or_default();
+        let unit = if entry.unit.is_empty() { String::new() } else { format!(" [{}]", entry.unit) };
+        Some(format!("{meaning}, not exceeded under {share} %{unit}"))
+    };
+    of().unwrap_or_else(|| name.into())
 }
 
 /// How likely a map of unknown numbers has overturning, in sentences.

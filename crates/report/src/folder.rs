@@ -152,6 +152,11 @@ impl Folder {
         if of_devices.is_empty() { self.scene.iter().cloned().collect() } else { of_devices }
     }
 
+    /// The title that was asked for with the run.
+    pub fn title(&self) -> Option<&str> {
+        self.run.get("pictures")?.get("title")?.as_str()
+    }
+
     /// How many motions a run has, each direction of one counted.
     pub fn motions(&self) -> usize {
         let all = self.run.get("motions").and_then(Value::as_array).map_or(0, Vec::len);

@@ -161,10 +161,12 @@ fn judged(row: &Row, target: f64) -> Option<String> {
 pub fn sureness(folder: &Folder) -> Result<Vec<String>, ReportError> {
     let mut told = Vec::new();
     if let (Some(count), Some(by)) = (folder.number("groups"), folder.text("resample")) {
-        let more = if count == 1.0 { "" } else { "s" };
-        told.push(format!(
-            "The intervals rest on {count} {by}{more}: they say how the answer changes with the choice of motions, not whether the model is right."
-        ));
+        told.push(match count {
+            1.0 => format!("All motions are of one {by}: how the answer changes with the choice of motions is not known."),
+            _ => format!(
+                "The intervals rest on {count} {by}s: they say how the answer changes with the choice of motions, not whether the model is right."
+            ),
+        });
     }
     let rates = rows(folder, "rates.csv")?.unwrap_or_default();
     if let [one, ..] = &rates[..]
@@ -220,8 +222,8 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
     let median = format!("half fail at {label} (θ)");
     fits.extend([
         ("theta", median.as_str()),
-        ("theta_low", "95 %: from"),
-        ("theta_high", "to"),
+        ("theta_low", "lower end of its 95 % interval"),
+        ("theta_high", "upper end"),
         ("beta", "spread (β)"),
     ]);
     let levels = match folder.run.get("levels").is_some_and(|levels| !levels.is_null()) {
@@ -285,8 +287,8 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         let mut rates = columns;
         rates.extend([
             ("rate", "so often a year"),
-            ("rate_low", "95 %: from"),
-            ("rate_high", "to"),
+            ("rate_low", "lower end of its 95 % interval"),
+            ("rate_high", "upper end"),
             ("in_50_years", "probability in 50 years"),
             ("rate_empirical", "a year, by counted motions alone"),
             ("share_without_failures", "share from levels without a failure"),

@@ -41,7 +41,9 @@ fn found(folder: &Folder) -> Result<Vec<String>, ReportError> {
         Kind::Map => map(folder),
         Kind::History => vec![findings::motion(folder)],
         Kind::Suite => suite(&folder.table("suite.csv")?.unwrap_or_default()),
-        Kind::Envelope => vec![findings::kept(folder)],
+        Kind::Envelope => {
+            std::iter::once(findings::kept(folder)).chain(findings::best(folder)?).collect()
+        }
         Kind::Fragility => fragility::shortly(folder)?,
         Kind::Comparison => devices(&folder.table("compare.csv")?.unwrap_or_default()),
         Kind::Probability => vec![findings::probable(folder)],
@@ -52,7 +54,7 @@ fn found(folder: &Folder) -> Result<Vec<String>, ReportError> {
 fn map(folder: &Folder) -> Vec<String> {
     let cells = folder.number("cells").unwrap_or(0.0).max(1.0);
     if cells == 1.0 {
-        return findings::single(folder).into_iter().collect();
+        return findings::single(folder).into_iter().chain(findings::tensile(folder)).collect();
     }
     let counts = folder.run.get("outcomes").and_then(Value::as_object);
     let shares = counts.into_iter().flatten().filter_map(|(key, count)| {
@@ -65,7 +67,8 @@ fn map(folder: &Folder) -> Vec<String> {
         0 => format!("In {} of the {cells} points of the map the block {what}", percent(share)),
         _ => format!("in {} it {what}", percent(share)),
     });
-    vec![told.collect::<Vec<_>>().join(", ") + "."]
+    let told = told.collect::<Vec<_>>().join(", ") + ".";
+    std::iter::once(told).chain(findings::tensile(folder)).collect()
 }
 
 fn suite(rows: &Rows) -> Vec<String> {

@@ -231,7 +231,8 @@ fn a_factor_is_on_what_a_list_has_scaled() {
 fn plates_without_mass_are_warned_of_under_a_suite_too() {
     let (place, list) = suite();
     let block = ["--half-width", "0.3", "--height", "1", "--mass", "200", "--u-y", "0.01"];
-    let scene = ["--t-h", "1.5", "--t-v", "0.4", "--verify", "none", "--suite", &list];
+    let scene =
+        ["--t-h", "1.5", "--t-v", "0.4", "--xi-h", "0.1", "--verify", "none", "--suite", &list];
     for command in ["envelope", "fragility"] {
         let (_, to) = within(&place, command);
         let run = topple(&[&[command, "--out", &to][..], &block, &scene].concat()).success();

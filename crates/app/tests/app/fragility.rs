@@ -325,6 +325,59 @@ fn points_are_runs_of_their_numbers() {
     assert!(!out.join("capacities.csv").exists());
 }
 
+/// What nothing is known of is said, not printed as a number: here no run fails at any point.
+#[test]
+fn what_explains_nothing_is_said_in_words() {
+    let (place, list) = suite();
+    let (out, to) = within(&place, "out");
+    let asked = ["--levels", "0.2,0.4", "--t-h", "1.5", "--t-v", "0.5", "--verify", "none"];
+    let vary = ["--vary", "eccentricity=normal(0,0.1)", "--samples", "4", "--u-y", "0.01"];
+    let common = ["fragility", "--suite", &list, "--out", &to, "--object", "1"];
+    let told = said(&topple(&[&common[..], &asked, &vary].concat()).success());
+    assert!(
+        told.contains("explains   eccentricity: not known: at all points as many runs fail"),
+        "{told}"
+    );
+    assert!(!told.contains("NaN") && told.contains("--samples"), "{told}");
+    for row in rows(&out.join("sensitivity.csv")) {
+        assert!(row["first"].is_empty() && row["total"].is_empty(), "{row:?}");
+    }
+}
+
+/// One recording alone tells no interval: neither a fitted curve nor separable data have one.
+#[test]
+fn one_recording_alone_has_no_interval() {
+    let (place, list) = suite();
+    let text = fs::read_to_string(&list).unwrap();
+    let lines: Vec<&str> = text.lines().collect();
+    let (hazard, path) = within(&place, "site.csv");
+    fs::write(&hazard, "PGA [m/s2],rate\n0.5,0.05\n4,0.0012\n60,1e-6\n").unwrap();
+    let (out, to) = within(&place, "out");
+    let asked = ["--levels", "1:40:24:log", "--t-h", "1.5", "--t-v", "0.5", "--verify", "none"];
+    let site = ["--hazard", &path, "--estimator", "stripes"];
+    let common = ["fragility", "--suite", &list, "--out", &to];
+    let run = |count: usize| {
+        fs::write(&list, lines[..=count].join("\n")).unwrap();
+        let told = said(&topple(&[&common[..], &BASE, &asked, &site].concat()).success());
+        (told, rows(&out.join("fits.csv")), rows(&out.join("rates.csv")))
+    };
+    let (told, fits, rates) = run(1);
+    let separable = fits.iter().filter(|fit| fit["separable"] == "1" && !fit["theta"].is_empty());
+    assert!(separable.count() > 0, "{fits:?}");
+    for fit in &fits {
+        for column in ["theta_low", "theta_high", "beta_low", "beta_high"] {
+            assert_eq!(fit[column], "", "{column}: {fit:?}");
+        }
+    }
+    for rate in rates.iter().filter(|rate| !rate["rate"].is_empty()) {
+        assert_eq!((&*rate["rate_low"], &*rate["rate_high"]), ("", ""), "{rate:?}");
+    }
+    assert!(told.contains("beta not known; ") && !told.contains("beta;"), "{told}");
+    // Two recordings tell one.
+    let (_, fits, _) = run(2);
+    assert!(fits.iter().any(|fit| !fit["theta_low"].is_empty()), "{fits:?}");
+}
+
 /// Runs at one level tell no curve, and nothing is made up.
 #[test]
 fn one_level_is_no_curve() {

@@ -34,6 +34,7 @@ mod paths;
 mod pictures;
 mod records;
 mod refined;
+mod remarks;
 mod repair;
 mod reports;
 mod resampled;

@@ -387,3 +387,124 @@ fn many_pictures_take_few_pages() {
     topple(&place, &["report", "more", "--out", "report.html"]).success();
     assert!(read(&place.path().join("report.html")).contains("The run has no picture"));
 }
+
+/// Columns that were asked for have names in words, as the others do.
+#[test]
+fn a_report_of_devices_has_no_raw_names() {
+    let (place, records) = suite();
+    fs::write(
+        place.path().join("devices.csv"),
+        "device,isolation,radius,mu\nfloor,none,,\nfps,horizontal,1,0.06\n",
+    )
+    .unwrap();
+    fs::write(place.path().join("site.csv"), "PGA [m/s2],rate\n0.5,0.05\n4,0.0012\n16,1e-5\n")
+        .unwrap();
+    let line = format!(
+        "compare devices.csv --object 1 --suite {records} --backend cpu --verify none --columns all --scales 0.5,2 \
+         --hazard site.csv --levels 1:16:8:log --out compared"
+    );
+    topple(&place, &line.split(' ').collect::<Vec<_>>()).success();
+    topple(&place, &["report", "compared", "--out", "report.html"]).success();
+    let page = read(&place.path().join("report.html"));
+    let table = read(&place.path().join("compared/compare.csv"));
+    let heading = table.lines().next().unwrap();
+    assert!(
+        heading.contains("friction_demand_84") && heading.contains("rate_with_missing"),
+        "{heading}"
+    );
+    for name in heading.split(',').filter(|name| name.contains('_')) {
+        assert!(!page.contains(&format!("<td>{name}</td>")), "{name}");
+    }
+    assert!(
+        page.contains(
+            "<td>largest |φ| over the critical angle of its side, not exceeded under 84 %</td>"
+        ),
+        "{page}"
+    );
+    let missing =
+        "overturnings a year, with what may be missing beyond both ends of the hazard curve";
+    assert!(
+        page.contains(&format!("<td>{missing}</td>")) && !page.contains("a year at most"),
+        "{page}"
+    );
+}
+
+/// A run's own title is its heading, and that of its report where it is alone.
+#[test]
+fn the_title_of_a_run_is_its_heading() {
+    let (place, records) = suite();
+    let statue = "--object 1 --t-h 1.2 --t-v 0.4 --u-y 0.01 --backend cpu --verify none";
+    let title = ["--title", "The statue, base 2"];
+    for (name, words) in [
+        ("map", MAP.to_string()),
+        (
+            "history",
+            "history --object 1 --t-h 1.2 --t-v 0.4 --omega 4 --a-h 2 --backend cpu".into(),
+        ),
+        ("envelope", format!("envelope --suite {records} {statue}")),
+        ("fragility", format!("fragility --levels 2,8 --suite {records} {statue}")),
+        ("suite", format!("suite {records}")),
+    ] {
+        let words: Vec<&str> = words.split(' ').chain(title).chain(["--out", name]).collect();
+        topple(&place, &words).success();
+        topple(&place, &["report", name, "--out", "report.html"]).success();
+        let page = read(&place.path().join("report.html"));
+        assert!(page.contains("<h1>The statue, base 2</h1>"), "{name}: {page}");
+    }
+    topple(&place, &["report", "map", "fragility", "--title", "All of it", "--out", "report.html"])
+        .success();
+    let page = read(&place.path().join("report.html"));
+    assert!(page.contains("<h1>All of it</h1>"), "{page}");
+    assert!(page.contains("<h3>The statue, base 2 (fragility)</h3>"), "{page}");
+}
+
+/// An envelope's summary names the best base; that of a motion says where the contact force is tensile.
+#[test]
+fn a_summary_names_the_best_base_and_tensile_contact() {
+    let (place, records) = suite();
+    let line = format!(
+        "envelope --object 1 --eccentricity 0.2 --u-y 0.01 --t-h 0.5:5:14 --t-v 0.1:1:6 --scale 0.7 --suite {records} --limit-u 0.75 \
+         --limit-v 0.03 --backend cpu --verify none --out envelope"
+    );
+    topple(&place, &line.split(' ').collect::<Vec<_>>()).success();
+    let short = |run: &str| {
+        topple(&place, &["report", run, "--out", "report.html"]).success();
+        let page = read(&place.path().join("report.html"));
+        let short = page.split("<h2>What was asked</h2>").next().unwrap();
+        short.replace("<sub>", "_").replace("</sub>", "")
+    };
+    let page = short("envelope");
+    let json: serde_json::Value =
+        serde_json::from_str(&read(&place.path().join("envelope/run.json"))).unwrap();
+    let table = read(&place.path().join("envelope/envelope.csv"));
+    let head: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+    let best = json["best_cell"].as_u64().unwrap() as usize;
+    let row: Vec<&str> = table.lines().nth(best + 1).unwrap().split(',').collect();
+    let of = |column: &str| {
+        let value = row[head.iter().position(|own| *own == column).unwrap()].parse().unwrap();
+        topple::scene::record::rounded(value, 3)
+    };
+    for wanted in [
+        format!("has T_h = {} s, T_v = {} s", of("t_h"), of("t_v")),
+        format!(
+            "horizontally by up to {} m, its vertical stroke is up to {} m",
+            of("max_u_100"),
+            of("stroke_v_100")
+        ),
+        format!("Its reserve is {} steps of the map", of("reserve")),
+    ] {
+        assert!(page.contains(&wanted), "{wanted}: {page}");
+    }
+    let pulse = "--half-width 0.6 --height 0.2 --mass 900 --isolation none --omega 10 --a-h 4 --t-max 4 --force --backend cpu";
+    for (a_v, pulls) in [("30", true), ("0", false)] {
+        for command in ["history", "pulse"] {
+            let words = pulse.split(' ').chain(["--a-v", a_v, "--out", command]);
+            topple(&place, &std::iter::once(command).chain(words).collect::<Vec<_>>()).success();
+            assert_eq!(
+                short(command).contains("The contact force becomes tensile"),
+                pulls,
+                "{command} {a_v}"
+            );
+        }
+    }
+}

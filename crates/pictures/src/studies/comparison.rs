@@ -1,6 +1,7 @@
 //! The picture of a comparison: one row per device, with the shares of its motions, its strokes, and how much stronger the motions may
 //! be.
 
+use super::of_standing;
 use crate::drawing::canvas::{Canvas, Place, Stroke, dashed, stroke};
 use crate::drawing::frame::{Axis, BELOW, Frame, Written};
 use crate::drawing::legend::{self, Entry, entry};
@@ -10,6 +11,7 @@ use crate::drawing::text::{MIDDLE, shortened, style, width};
 use crate::drawing::{FONT, MARGIN, MILLIMETRE, caption};
 use topple::results::colour::{BLACK, Colour};
 use topple::results::palette::{CURVES, FALLEN, Kind, LIMITS};
+use topple::scene::{Parameter, Scene, Values};
 use topple_studies::comparison::{Compared, Comparison};
 use topple_studies::suites::envelope::{CellEnvelope, SHARES};
 
@@ -58,8 +60,9 @@ pub fn draw(comparison: &Comparison, title: &str, print: Print) -> Option<String
     let rows: Vec<(&str, &Compared)> = comparison.rows().collect();
     let mut canvas = print.canvas(WIDTH);
     let whole = canvas.inner();
-    let told = standing(limits.standing);
-    let top = caption::titled(&mut canvas, print.title.unwrap_or(title), &[told]) + 2.0 * MARGIN;
+    let motions = motions(&comparison.sweep.scene);
+    let told = [standing(limits.standing), motions.clone()];
+    let top = caption::titled(&mut canvas, print.title.unwrap_or(title), &told) + 2.0 * MARGIN;
     let names: Vec<String> =
         rows.iter().map(|(name, _)| shortened(name, FONT, NAMES * canvas.width())).collect();
     let left = names.iter().map(|name| width(name, FONT)).fold(0.0, f64::max);
@@ -91,8 +94,21 @@ pub fn draw(comparison: &Comparison, title: &str, print: Print) -> Option<String
         paint(&mut canvas, comparison, panel, Place { x, y: top, width: wide, height });
     }
     let at = (MARGIN, top + height + BELOW + MARGIN);
-    let end = legend::draw(&mut canvas, &entries(&panels), at, whole, 3);
+    let end = legend::draw(&mut canvas, &entries(&panels, &motions), at, whole, 3);
+    let strokes = panels.iter().any(|panel| matches!(panel.shown, Shown::Strokes(..)));
+    let cells = rows.iter().filter(|_| strokes).map(|(_, row)| &row.cell);
+    let end = of_standing(&mut canvas, cells, end, whole);
     Some(canvas.finish(end + MARGIN))
+}
+
+/// The motions in words: by what they are multiplied.
+fn motions(scene: &Scene) -> String {
+    let of = |one: Parameter| scene.numbers.get(one).and_then(Values::single);
+    match (of(Parameter::Scale).filter(|scale| *scale != 1.0), of(Parameter::Pga)) {
+        (Some(scale), _) => format!("each motion times {scale}"),
+        (None, Some(pga)) => format!("each motion scaled to a PGA of {pga} m/s²"),
+        (None, None) => "the motions as they are".into(),
+    }
 }
 
 /// What must stand, in words.
@@ -170,7 +186,7 @@ fn paint(canvas: &mut Canvas, comparison: &Comparison, panel: &Panel, place: Pla
 }
 
 /// The legend of what is drawn.
-fn entries(panels: &[Panel]) -> Vec<Entry> {
+fn entries(panels: &[Panel], motions: &str) -> Vec<Entry> {
     let mut entries = vec![
         entry(Swatch::Fill(Kind::FullContact.colour()), "full contact"),
         entry(Swatch::Fill(Kind::Rocking.colour()), "rocks and stands"),
@@ -179,7 +195,7 @@ fn entries(panels: &[Panel]) -> Vec<Entry> {
     let strokes = |panel: &&Panel| matches!(panel.shown, Shown::Strokes(..));
     if panels.iter().any(|panel| strokes(&panel)) {
         for (mark, share) in MARKS.into_iter().zip(SHARES) {
-            let text = format!("not exceeded under {} %", 100.0 * share);
+            let text = format!("not exceeded under {} % of the motions", 100.0 * share);
             entries.push(entry(Swatch::Mark(mark, CURVES[0]), text));
         }
     }
@@ -189,9 +205,10 @@ fn entries(panels: &[Panel]) -> Vec<Entry> {
             entries.push(entry(Swatch::Line(line), format!("limit of {of}: {limit} m")));
         }
         if matches!(panel.shown, Shown::Reserve) {
-            let text = "largest factor on the motions up to which all limits are kept";
+            let text =
+                "reserve: largest further factor on the motions up to which all limits are kept";
             entries.push(entry(Swatch::Fill(CURVES[0]), text));
-            entries.push(entry(Swatch::Line(PLAIN), "the motions as they are"));
+            entries.push(entry(Swatch::Line(PLAIN), format!("factor 1: {motions}")));
         }
     }
     entries

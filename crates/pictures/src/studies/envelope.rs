@@ -1,6 +1,7 @@
 //! The picture of an envelope: the share of the motions under which the block stands, the limits, and what is
 //! feasible.
 
+use super::of_standing;
 use crate::drawing::canvas::{Place, Point, Stroke, dashed, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH};
@@ -98,7 +99,7 @@ pub fn draw(envelope: &Envelope, title: &str, print: Print) -> Result<Option<Str
     let bottom = scale::draw(&mut canvas, at, side, axis, shade)?;
     let standing = match limits.standing {
         1.0 => "border of standing under all motions".to_string(),
-        share => format!("border of standing under {} % of them", 100.0 * share),
+        share => format!("border of standing under {} % of the motions", 100.0 * share),
     };
     let [around, of_u, of_v] = all.each_ref().map(|(lines, _)| !lines.is_empty());
     let feasible = best.is_some();
@@ -114,12 +115,16 @@ pub fn draw(envelope: &Envelope, title: &str, print: Print) -> Result<Option<Str
         entries.push(entry(Swatch::None, "No cell keeps all limits."));
     }
     let which = match envelope.settings.best {
-        Best::Reserve => "of these the most steps from a cell that fails",
-        Best::StrokeU => "least |u| of these",
-        Best::StrokeV => "least stroke of v of these",
+        Best::Reserve => {
+            "the best of these: the most steps from a cell that does not keep all limits"
+        }
+        Best::StrokeU => "the best of these: the least |u|",
+        Best::StrokeV => "the best of these: the least stroke of v",
     };
     entries.extend(best.map(|_| entry(Swatch::Mark(Mark::Disc, BLACK), which)));
     let at = (MARGIN, bottom + MARGIN);
     let end = legend::draw(&mut canvas, &entries, at, most, 2);
+    let shown = u.or(v).is_some();
+    let end = of_standing(&mut canvas, envelope.cells.iter().filter(|_| shown), end, most);
     Ok(Some(canvas.finish(end + MARGIN)))
 }

@@ -1,6 +1,7 @@
 //! The picture of an envelope along one axis: the share that stands, and the percentiles of the strokes with their
 //! limits.
 
+use super::of_standing;
 use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke};
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use crate::drawing::legend::{self, entry};
@@ -63,11 +64,12 @@ pub fn draw(envelope: &Envelope, axis: &grid::Axis, title: &str, print: Print) -
         entry(Swatch::Line(LIMIT), "a limit"),
     ];
     for (line, share) in LINES.iter().zip(SHARES) {
-        let text = format!("not exceeded under {} %", 100.0 * share);
+        let text = format!("not exceeded under {} % of the motions", 100.0 * share);
         entries.push(entry(Swatch::Line(*line), text));
     }
     let at = (MARGIN, y - GAP + BELOW + MARGIN);
     let end = legend::draw(&mut canvas, &entries, at, most, 2);
+    let end = of_standing(&mut canvas, envelope.cells.iter().filter(|_| count > 1), end, most);
     canvas.finish(end + MARGIN)
 }
 

@@ -7,7 +7,7 @@ use crate::drawing::legend::{self, Entry, entry};
 use crate::drawing::print::Print;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::{COLUMN, FONT, MARGIN, caption};
-use topple::results::colour::BLACK;
+use topple::results::colour::{BLACK, Colour};
 use topple::results::palette::STATES;
 use topple::scene::grid;
 use topple::scene::words;
@@ -25,8 +25,9 @@ const POINTS: u32 = 200;
 /// Width of a curve, and its dashes beyond the data.
 const CURVE: f64 = 1.1;
 const BEYOND: (f64, f64) = (3.2, 2.0);
-/// Opacity of a band.
+/// Opacity of a band, and the width of its edges.
 const BAND: f64 = 0.18;
+const EDGE: f64 = 0.35;
 /// How far the axis goes beyond the levels at most, where a hazard curve does: rates come from there, too.
 const FURTHER: f64 = 4.0;
 
@@ -71,6 +72,7 @@ pub fn curves(study: &Study, intensity: Intensity, print: Print) -> String {
     let curve = |theta: f64, beta: f64| through(theta, beta, [low, high]);
     let one = study.cells[0].states.iter().zip(&study.settings.states);
     canvas.clipped(place, |canvas| {
+        let mut edges: Vec<(Vec<Point>, Colour)> = Vec::new();
         for (k, (of, _)) in one.clone().enumerate() {
             let fit = &of.estimates[0];
             // Curves between theta's bounds: beta is that of the fit.
@@ -78,8 +80,9 @@ pub fn curves(study: &Study, intensity: Intensity, print: Print) -> String {
                 let (left, right) = (curve(low, beta), curve(high, beta));
                 // One band does not hide another.
                 let colour = STATES[k % STATES.len()].0;
-                let around = left.into_iter().chain(right.into_iter().rev());
+                let around = left.iter().chain(right.iter().rev()).copied();
                 canvas.polygon_through(around, colour, BAND);
+                edges.extend([left, right].map(|edge| (edge, colour)));
             }
         }
         for (k, (of, state)) in one.clone().enumerate() {
@@ -111,6 +114,10 @@ pub fn curves(study: &Study, intensity: Intensity, print: Print) -> String {
             };
             entries.push(entry(swatch, format!("{}: {}", state.words(), told(fit))));
         }
+        // Where bands overlap, their edges tell them apart.
+        for (edge, colour) in edges {
+            canvas.line(edge, stroke(colour, EDGE));
+        }
     });
     frame.draw(&mut canvas, BOTH);
     // Marks lie above the bands and the lines of all limit states, and whole on the frame.
@@ -124,15 +131,25 @@ pub fn curves(study: &Study, intensity: Intensity, print: Print) -> String {
     let by = study.settings.estimators[0].name();
     let marks = match (has_shares(&study.cells[0].states[0]), study.is_weighted()) {
         (false, _) => "",
-        (true, false) => "Marks: shares of the motions. ",
-        (true, true) => "Marks: shares of the motions by weight. ",
+        (true, false) => "Marks: shares of the motions that make the block fail. ",
+        (true, true) => "Marks: shares of the motions by weight that make the block fail. ",
     };
-    let beyond =
-        "dashed below the lowest level at which a motion fails and above the highest level";
-    entries.push(entry(Swatch::None, format!("{marks}Lines by {by}, {beyond}; bands: 95 % of θ.")));
+    let beyond = "dashed where no motion supports them: below the lowest level at which the block fails, and above the highest level";
+    let lines = format!("{marks}Lines: curves fitted by the estimator {by}, {beyond}.");
+    entries.push(entry(Swatch::None, lines));
+    if has_bands(study) {
+        entries.push(entry(Swatch::None, "Bands: the curve with θ anywhere in its 95 % interval."));
+    }
     let at = (MARGIN, place.bottom() + BELOW + MARGIN);
     let end = legend::draw(&mut canvas, &entries, at, wide, 1);
     canvas.finish(end + MARGIN)
+}
+
+/// True where a curve has a band: an interval of θ with two ends.
+fn has_bands(study: &Study) -> bool {
+    let fits = study.cells[0].states.iter().map(|of| &of.estimates[0]);
+    let ends = |fit: &Estimate| fit.theta_low.and(fit.theta_high).and(fit.beta);
+    fits.map(ends).any(|end| end.is_some())
 }
 
 /// True where levels have several runs, as stripes: one of a record at its own level is no share.
@@ -144,9 +161,9 @@ fn has_shares(of: &StateStudy) -> bool {
 fn told(fit: &Estimate) -> String {
     match (fit.theta, fit.beta) {
         (Some(theta), Some(beta)) => format!("θ = {}, β = {beta:.2}", digits(theta)),
-        (Some(_), None) => match (fit.theta_low, fit.theta_high) {
+        (Some(theta), None) => match (fit.theta_low, fit.theta_high) {
             (Some(low), Some(high)) => format!("θ from {} to {}", digits(low), digits(high)),
-            _ => "separable".into(),
+            _ => format!("θ about {}, no interval", digits(theta)),
         },
         _ => "no curve".into(),
     }
@@ -208,7 +225,7 @@ pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity, print: Prin
     });
     frame.draw(&mut canvas, BOTH);
     let by = study.settings.estimators[0].name();
-    entries.push(entry(Swatch::None, format!("By {by}; bars: 95 % of θ.")));
+    entries.push(entry(Swatch::None, format!("Estimated by {by}; bars: 95 % intervals of θ.")));
     let at = (MARGIN, place.bottom() + BELOW + MARGIN);
     let end = legend::draw(&mut canvas, &entries, at, wide, 2);
     canvas.finish(end + MARGIN)
@@ -268,15 +285,15 @@ pub fn maps(
     }
     let mut entries: Vec<Entry> = Vec::new();
     if fits().any(|fit| fit.theta.is_none() || fit.beta.is_none()) {
-        let text = "white: no number (separable, or no motion fails)";
+        let text = "white: not known, as where no motion or every motion makes the block fail";
         entries.push(entry(Swatch::Fill([255, 255, 255]), text));
     }
     if let Some((_, target)) = target {
-        let text = format!("annual rate of {target} at most");
+        let text = format!("annual rate of {target}, with what the hazard curve may leave out");
         entries.push(entry(Swatch::Line(stroke(BLACK, 1.1)), text));
     }
     let by = study.settings.estimators[0].name();
-    entries.push(entry(Swatch::None, format!("By {by}.")));
+    entries.push(entry(Swatch::None, format!("Estimated by {by}.")));
     let end = legend::draw(&mut canvas, &entries, (MARGIN, end + MARGIN), wide, 2);
     Ok(canvas.finish(end + MARGIN))
 }

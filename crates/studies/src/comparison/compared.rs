@@ -4,6 +4,7 @@ use super::devices::Device;
 use super::settings::ComparisonSettings;
 use super::shaken::Shaken;
 use crate::fragility::limit_state::LimitState;
+use crate::fragility::order::{self, Crossing};
 use crate::fragility::runs::Pool;
 use crate::fragility::suite_runs::run_of;
 use crate::fragility::{Estimate, Estimator, HazardCurve, RecordRuns, Stripe, estimate, rates};
@@ -54,7 +55,12 @@ pub struct Rated {
     pub stripes: Vec<Stripe>,
     /// The rate by the shares of the runs alone.
     pub empirical: Option<f64>,
+    /// Where the curve is above that of uplift, which overturning implies; none where it is not.
+    pub crossing: Option<Crossing>,
 }
+
+/// The limit states of an annual rate: that of the rate, and the one that it implies.
+pub const STATES: [LimitState; 2] = [LimitState::Overturning, LimitState::Uplift];
 
 /// How much stronger the motions may be, by the factors of the list and 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -178,17 +184,25 @@ fn rate(
     groups: &[usize],
     (hazard, bootstrap): (&HazardCurve, &Bootstrap),
 ) -> Rated {
-    let record = |((motion, shaken), group): ((&SweptMotion, &Shaken), &usize)| {
-        let of = |(at, level): &(usize, f64)| run_of(LimitState::Overturning, motion, *at, *level);
-        let mut runs: Vec<_> = shaken.levels.iter().filter_map(of).collect();
-        runs.sort_by(|a, b| a.level.total_cmp(&b.level));
-        RecordRuns { weight: motion.weight, group: *group, runs }
+    let records_of = |state: LimitState| -> Vec<RecordRuns> {
+        let record = |((motion, shaken), group): ((&SweptMotion, &Shaken), &usize)| {
+            let of = |(at, level): &(usize, f64)| run_of(state, motion, *at, *level);
+            let mut runs: Vec<_> = shaken.levels.iter().filter_map(of).collect();
+            runs.sort_by(|a, b| a.level.total_cmp(&b.level));
+            RecordRuns { weight: motion.weight, group: *group, runs }
+        };
+        motions.iter().zip(shaken).zip(groups).map(record).collect()
     };
-    let records: Vec<RecordRuns> = motions.iter().zip(shaken).zip(groups).map(record).collect();
+    let [records, implied] = STATES.map(records_of);
     let stripes = Pool::of(&records, |run| run.failed).stripes(None);
-    Rated {
-        estimate: estimate(Estimator::Stripes, &records, bootstrap, Some(hazard)),
-        empirical: rates::empirical(&stripes, hazard),
-        stripes,
+    let by = Estimator::Stripes;
+    let mut estimated = estimate(by, &records, bootstrap, Some(hazard));
+    // Of the state that is implied the curve alone is asked for.
+    let uplift = estimate(by, &implied, &Bootstrap { replicates: 0, ..*bootstrap }, None);
+    let crossing = order::crossings(&STATES, &[&estimated, &uplift], Some(hazard)).pop();
+    let ordered = order::ordered(&STATES, &[&estimated, &uplift], hazard)[0];
+    if let Some(rate) = &mut estimated.rate {
+        rate.ordered = ordered;
     }
+    Rated { estimate: estimated, empirical: rates::empirical(&stripes, hazard), stripes, crossing }
 }

@@ -12,7 +12,7 @@ mod settings;
 mod shaken;
 mod table;
 
-pub use compared::{Compared, Comparison, Rated, Reserve};
+pub use compared::{Compared, Comparison, Rated, Reserve, STATES};
 pub use devices::Device;
 pub use devices_error::{ComparisonError, DevicesError};
 pub use request::{ComparisonJob, ComparisonRequest, RateRequest};

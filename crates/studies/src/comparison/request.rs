@@ -14,7 +14,7 @@ use crate::suites::intensity::Intensity;
 use crate::suites::request::{SuiteRequest, above_zero};
 use crate::suites::settings::SuiteSettings;
 use crate::suites::swept::SuiteJob;
-use crate::suites::{Groups, Resample, Suite};
+use crate::suites::{Falling, Groups, Resample, Suite};
 use topple::results::columns::Column;
 use topple::scene::{Grid, Parameter, SceneError, Values};
 use topple::sweep::error::SweepError;
@@ -178,6 +178,24 @@ impl ComparisonRequest {
 }
 
 impl ComparisonJob {
+    /// The levels of the hazard's measure, and the factors of the reserve, at which the ground accelerates downwards by more than g.
+    pub fn falling(&self) -> [Option<Falling>; 2] {
+        let ComparisonSettings { devices, shaken, scales, .. } = &self.settings;
+        let down = self.sweep.downward();
+        // The motions of all devices are the same.
+        let each = shaken.iter().zip(&down).take(shaken.len() / devices.len().max(1));
+        let levels = each.clone().flat_map(|(shaken, down)| {
+            shaken.levels.iter().filter_map(|(at, level)| Some((*level, *down.get(*at)?)))
+        });
+        let scales = each.flat_map(|(shaken, down)| {
+            scales
+                .iter()
+                .zip(&shaken.scales)
+                .filter_map(|(scale, at)| Some((*scale, *down.get(*at)?)))
+        });
+        [Falling::of(levels), Falling::of(scales)]
+    }
+
     /// Runs the sweep and compares the devices.
     ///
     /// # Errors

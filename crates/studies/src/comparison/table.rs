@@ -47,14 +47,19 @@ pub const RESERVE: [TableColumn; 2] = [
 ];
 
 /// Those of annual rates.
-pub const RATES: [TableColumn; 4] = [
+pub const RATES: [TableColumn; 5] = [
     number("rate", "1/year", "annual rate of overturning; empty where no curve is known"),
     number("rate_low", "1/year", "lower end of its interval of 95 %"),
     number("rate_high", "1/year", "upper end of its interval of 95 %"),
     number(
-        "rate_at_most",
+        "rate_with_missing",
         "1/year",
-        "the rate with what may be missing at both ends of the hazard curve; empty where there is no bound",
+        "the rate with what may be missing at both ends of the hazard curve: of the best estimate, whose interval may reach farther, or without a curve the upper bound; empty where there is none",
+    ),
+    number(
+        "rate_ordered",
+        "1/year",
+        "the rate of the curve held below that of uplift, which overturning implies",
     ),
 ];
 
@@ -87,7 +92,8 @@ pub fn write(comparison: &Comparison, writer: impl Write) -> io::Result<()> {
                 rate.and_then(|rate| rate.rate),
                 rate.and_then(|rate| rate.low),
                 rate.and_then(|rate| rate.high),
-                rate.and_then(|rate| rate.at_most()),
+                rate.and_then(|rate| rate.with_missing()),
+                rate.and_then(|rate| rate.ordered),
             ]
             .map(|value| value.map(Number))
         });

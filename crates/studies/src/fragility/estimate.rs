@@ -7,7 +7,7 @@ use super::fit::{Fit, Gap, Lognormal};
 use super::hazard::HazardCurve;
 use super::ida::Capacities;
 use super::interval;
-use super::profile;
+use super::profile::{self, Bounds};
 use super::rates::{self, RateEstimate};
 use super::runs::{Pool, RecordRuns, Run, Stripe, Weighed, weighed};
 use super::stripes;
@@ -59,7 +59,7 @@ pub struct Estimate {
     /// Upper bound.
     pub beta_high: Option<f64>,
     /// A level separates standing from failing: the interval is that of the profile likelihood of the stripes, whatever
-    /// the estimator.
+    /// the estimator; none where all records are one group.
     pub separable: bool,
     /// Resampled sets without a curve.
     pub without_fit: usize,
@@ -106,7 +106,7 @@ impl fmt::Display for Note {
                     }
                     false => write!(out, "all stand up to {stands} and all fail from {fails} on")?,
                 }
-                write!(out, ": beta has an upper bound only")
+                write!(out, ": no beta above zero fits best")
             }
             Note::Separable(Gap { stands: Some(stands), fails: None }) => {
                 write!(out, "none fails up to the highest level, {}", four_digits(*stands))
@@ -197,7 +197,9 @@ pub fn estimate(
         }
         Fit::Separable(gap) => {
             let (_, count) = interval::dense(&groups);
-            return separable(gap, &stripes(), count as f64 / groups.len() as f64, hazard);
+            // As of a curve, one group alone tells no interval.
+            let independent = (count > 1).then(|| count as f64 / groups.len() as f64);
+            return separable(gap, &stripes(), independent, hazard);
         }
         Fit::NotIncreasing => Note::NotIncreasing,
         Fit::TooFewFailed => Note::TooFewFailed,
@@ -233,25 +235,24 @@ fn resampled(
     }
 }
 
-/// `independent` is the share of the records that count as independent of each other.
+/// `independent` is the share of the records that count as independent of each other; none where they tell no interval.
 fn separable(
     gap: Gap,
     stripes: &[Stripe],
-    independent: f64,
+    independent: Option<f64>,
     hazard: Option<&HazardCurve>,
 ) -> Estimate {
-    let counted = |stripe: &Stripe| Stripe {
-        level: stripe.level,
-        n: independent * stripe.n,
-        z: independent * stripe.z,
-    };
-    let bounds = profile::bounds(&stripes.iter().map(counted).collect::<Vec<_>>());
-    let within = (bounds.theta, bounds.beta_high);
+    let bounds = independent.map_or(Bounds::NONE, |share| {
+        let counted =
+            |one: &Stripe| Stripe { level: one.level, n: share * one.n, z: share * one.z };
+        profile::bounds(&stripes.iter().map(counted).collect::<Vec<_>>())
+    });
+    let within = independent.map(|_| (bounds.theta, bounds.beta_high));
     Estimate {
         theta: gap.middle(),
         theta_low: bounds.theta[0],
         theta_high: bounds.theta[1],
-        beta_low: gap.middle().map(|_| 0.0),
+        beta_low: gap.middle().and(independent).map(|_| 0.0),
         beta_high: bounds.beta_high,
         separable: true,
         note: Some(Note::Separable(gap)),

@@ -71,7 +71,7 @@ pub fn crossings(
 }
 
 /// The rates of the estimates of one estimator, each curve held below those of all states that it implies.
-pub(super) fn ordered(
+pub(crate) fn ordered(
     states: &[LimitState],
     fits: &[&Estimate],
     hazard: &HazardCurve,

@@ -20,22 +20,26 @@ pub struct Bounds {
     pub beta_high: Option<f64>,
 }
 
+impl Bounds {
+    /// Where nothing is known.
+    pub(super) const NONE: Bounds = Bounds { theta: [None; 2], beta_high: None };
+}
+
 /// The values of theta, and of beta, for which some value of the other brings the logarithm of the likelihood of the
 /// stripes to within 1.92 of its supremum, which separable data reach as beta goes to zero: a 95 % interval by Wilks'
 /// theorem, approximate here because beta = 0 is a border. The counts of a level are taken as independent of those
 /// of others. Of stripes that are not separable it gives no bounds.
 pub fn bounds(stripes: &[Stripe]) -> Bounds {
-    let none = Bounds { theta: [None; 2], beta_high: None };
     let gap = gap(stripes);
     if matches!(gap, Gap { stands: Some(stands), fails: Some(fails) } if stands > fails) {
-        return none;
+        return Bounds::NONE;
     }
     let ends = [gap.stands, gap.fails].map(|level| level.map(f64::ln));
     let mut logarithms = stripes.iter().map(|stripe| stripe.level.ln());
     let (Some(first), Some(last)) =
         (logarithms.clone().reduce(f64::min), logarithms.by_ref().reduce(f64::max))
     else {
-        return none;
+        return Bounds::NONE;
     };
     let (centre, range) = (0.5 * (first + last), if last > first { last - first } else { 1.0 });
     let counts: Vec<[f64; 3]> = stripes

@@ -27,9 +27,9 @@ pub struct RateEstimate {
 }
 
 impl RateEstimate {
-    /// What the rate is at most, 1/year, with all that may be missing at both ends of the hazard. Of a curve it is that of the best estimate;
-    /// none where there is no bound.
-    pub fn at_most(&self) -> Option<f64> {
+    /// The rate, 1/year, with all that may be missing at both ends of the hazard: of a curve that of the best estimate, whose interval may
+    /// reach farther; without a curve the upper bound. None where there is no bound.
+    pub fn with_missing(&self) -> Option<f64> {
         let most = self.rate.or(self.high)? + self.missing_above + self.missing_below;
         most.is_finite().then_some(most)
     }
@@ -38,7 +38,7 @@ impl RateEstimate {
     /// nothing at all is known.
     pub fn is_below(&self, target: f64) -> Option<bool> {
         let nothing = self.rate.is_none() && self.low.is_none() && self.high.is_none();
-        (!nothing).then(|| self.at_most().is_some_and(|most| most <= target))
+        (!nothing).then(|| self.with_missing().is_some_and(|most| most <= target))
     }
 
     /// That of a curve, whose interval is not known yet.
@@ -69,10 +69,11 @@ impl RateEstimate {
     }
 
     /// That of separable data: of a step in the middle of the gap, where runs at levels on both sides tell that all fail, or
-    /// stand, there; else bounds alone. `theta` and `beta_high` are the bounds of the profile likelihood.
+    /// stand, there; else bounds alone. `within` are the bounds of theta and of beta by the profile likelihood, none where the records
+    /// tell no interval.
     pub(super) fn of_gap(
         gap: Gap,
-        (theta, beta_high): ([Option<f64>; 2], Option<f64>),
+        within: Option<([Option<f64>; 2], Option<f64>)>,
         stripes: &[Stripe],
         hazard: &HazardCurve,
     ) -> RateEstimate {
@@ -80,11 +81,11 @@ impl RateEstimate {
         if let Some(theta_of_step) = step(gap, stripes) {
             let step = Lognormal { theta: theta_of_step, beta: 0.0 };
             // The rate falls as theta grows. Of a curve that bends, it grows with beta or falls, so that it is largest at an end.
-            let high =
-                theta[0].zip(beta_high).map(|(low, beta)| rate(low, 0.0).max(rate(low, beta)));
-            let low = theta[1].map_or(0.0, |high| rate(high, 0.0));
+            let high = within.and_then(|(theta, beta)| theta[0].zip(beta));
+            let high = high.map(|(low, beta)| rate(low, 0.0).max(rate(low, beta)));
+            let low = within.map(|(theta, _)| theta[1].map_or(0.0, |high| rate(high, 0.0)));
             let of_step = RateEstimate::of_curve(&step, stripes, hazard);
-            return RateEstimate { low: Some(low), high, ..of_step };
+            return RateEstimate { low, high, ..of_step };
         }
         let all_stand = stripes.iter().take_while(|stripe| stripe.z == 0.0).last();
         let all_fail = stripes.iter().rev().take_while(|stripe| stripe.z == stripe.n).last();

@@ -12,7 +12,7 @@ use crate::suites::intensity::Intensity;
 use crate::suites::request::{SuiteRequest, above_zero};
 use crate::suites::swept::{MOST_CELLS, MOST_SWEEPS, SuiteJob};
 use crate::suites::wanted::WantedMotion;
-use crate::suites::{Groups, Resample, Suite};
+use crate::suites::{Falling, Groups, Resample, Suite};
 use crate::uncertain::{Ensemble, SAMPLES, Varied, check_samples};
 use topple::backend::backend_error::BackendError;
 use topple::scene::parameters::Section;
@@ -302,6 +302,16 @@ impl FragilityRequest {
 }
 
 impl FragilityJob {
+    /// The levels at which the ground accelerates downwards by more than g.
+    pub fn falling(&self) -> Option<Falling> {
+        let (down, times) = (self.sweep.downward(), self.settings.times.max(1));
+        // Numbers that are not known change no motion.
+        let each = self.settings.levels.iter().zip(&down).step_by(times);
+        Falling::of(
+            each.flat_map(|(levels, down)| levels.iter().copied().zip(down.iter().copied())),
+        )
+    }
+
     /// Runs the sweeps and estimates the fragility of every cell.
     ///
     /// # Errors

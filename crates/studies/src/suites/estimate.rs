@@ -31,7 +31,11 @@ impl SuiteJob {
             // Of its levels each motion of the sample has another.
             let level = (2 * k + 1) * wanted.factors.len() / (2 * count);
             let mut scene = scene.clone();
-            scene.set(Parameter::Scale, wanted.factors[level] * wanted.pair.factor);
+            if wanted.factors[level] != 1.0 {
+                // The motion is scaled to its peak already.
+                scene.numbers.remove(Parameter::Pga);
+                scene.set(Parameter::Scale, wanted.factors[level] * wanted.pair.factor);
+            }
             let (cells, took) = self.sample(&scene, observer)?;
             work += cells as f64 * samples(wanted);
             seconds += took;

@@ -11,6 +11,7 @@ pub(crate) mod entry;
 pub mod envelope;
 pub(crate) mod error;
 pub(crate) mod estimate;
+mod falling;
 mod files;
 mod gather;
 pub(crate) mod grid_table;
@@ -38,6 +39,7 @@ pub mod wanted;
 
 pub use entry::{Entry, Motion};
 pub use error::SuiteError;
+pub use falling::Falling;
 pub use read::Suite;
 pub use request::SuiteRequest;
 pub use resample::{Groups, Resample};

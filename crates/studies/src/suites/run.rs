@@ -36,9 +36,13 @@ impl SuiteJob {
     /// True where the folder that it saves to holds motions, and none of its own.
     ///
     /// # Errors
-    /// Those of the writer of a motion's name.
+    /// Those of the writer of a motion's name, and something in the folder that no run wrote.
     pub fn finds_others(&self) -> Result<bool, SweepError> {
-        let there = self.settings.saving.as_ref().map(|folder| saved::names(folder));
+        let folder = self.settings.saving.as_ref();
+        folder
+            .map_or(Ok(()), |folder| saved::refuse_foreign(folder))
+            .map_err(SweepError::Folder)?;
+        let there = folder.map(|folder| saved::names(folder));
         let Some(there) = there.filter(|there| !there.is_empty()) else { return Ok(false) };
         let backend = &self.opened.backends[0];
         for (wanted, scene) in &self.all {

@@ -196,8 +196,10 @@ impl<'a> Runner<'a> {
         motion: &mut SweptMotion,
     ) -> Result<(), SweepError> {
         let settings = self.job.sweep_settings();
-        let mut axes = Vec::new();
+        let (mut axes, mut scene) = (Vec::new(), scene.clone());
         if factors != [1.0] {
+            // The motion is scaled to its peak already.
+            scene.numbers.remove(Parameter::Pga);
             // The factor of a scene is on the file's values.
             let scales = factors.iter().map(|factor| factor * wanted.pair.factor).collect();
             let values = Values::list(scales)
@@ -205,7 +207,7 @@ impl<'a> Runner<'a> {
             axes.push((Parameter::Scale, values));
         }
         let watch = OneOfSeveral::of(self.observer, Some(&self.stopped));
-        let map = sweep_on(&self.job.opened, scene, &axes, &settings, &watch)?;
+        let map = sweep_on(&self.job.opened, &scene, &axes, &settings, &watch)?;
         let others = &self.job.settings.others;
         gather(&map, &self.job.grid, factors.len(), others, motion)?;
         if sampled == 0 || map.by_reference() {

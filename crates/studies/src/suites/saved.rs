@@ -70,11 +70,8 @@ impl SavedMotions {
         if holds == Holds::Alone {
             directory.remove_leftovers(&[])?;
         }
-        let foreign = own::foreign(folder, Kind::Motions).map_err(StoreError::file(folder))?;
-        match foreign {
-            Some(path) if names(folder).is_empty() => Err(WriteError::Foreign(path).into()),
-            _ => Ok(SavedMotions { folder: folder.to_path_buf(), _lock: lock }),
-        }
+        refuse_foreign(folder)?;
+        Ok(SavedMotions { folder: folder.to_path_buf(), _lock: lock })
     }
 
     /// Removes what was saved, when it is not needed any more; what somebody else put there stays.
@@ -83,6 +80,18 @@ impl SavedMotions {
     /// Errors of the disk.
     pub fn discard(self) -> io::Result<()> {
         own::remove(&self.folder, Kind::Motions).map(|_| ())
+    }
+}
+
+/// Refuses a folder that holds no motions but something else.
+///
+/// # Errors
+/// [`WriteError::Foreign`]; those of the disk.
+pub(super) fn refuse_foreign(folder: &Path) -> Result<(), StoreError> {
+    let foreign = own::foreign(folder, Kind::Motions).map_err(StoreError::file(folder))?;
+    match foreign {
+        Some(path) if names(folder).is_empty() => Err(WriteError::Foreign(path).into()),
+        _ => Ok(()),
     }
 }
 

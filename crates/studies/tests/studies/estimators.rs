@@ -194,7 +194,7 @@ fn every_fit_without_a_curve_says_why() {
     assert_relative_eq!(said.theta.unwrap(), 2.0_f64.sqrt(), max_relative = 1e-12);
     assert_eq!(
         said.note.unwrap().to_string(),
-        "all stand up to 1 and all fail from 2 on: beta has an upper bound only"
+        "all stand up to 1 and all fail from 2 on: no beta above zero fits best"
     );
     let said = of(Estimator::Stripes, &[&stands, &stands]);
     assert_eq!(said.note.unwrap().to_string(), "none fails up to the highest level, 2");

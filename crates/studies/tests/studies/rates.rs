@@ -100,14 +100,14 @@ fn where_no_curve_is_known_the_rate_has_bounds() {
     // None fails: no more than all motions above 4.
     let none = known(&[9.0; 20]).rate.unwrap();
     assert_eq!((none.rate, none.low), (None, Some(0.0)));
-    near(none.at_most().unwrap(), 1.0e-3 / 16.0, 1.0e-9);
+    near(none.with_missing().unwrap(), 1.0e-3 / 16.0, 1.0e-9);
     assert_eq!((none.is_below(1.0e-4), none.is_below(1.0e-5)), (Some(true), Some(false)));
     // Some fail at the highest level alone: all may above the level before, and a rate of zero is no word of it.
     let mut some = vec![9.0; 20];
     some[0] = 3.0;
     let one = known(&some).rate.unwrap();
     assert_eq!((one.rate, one.low), (None, Some(0.0)));
-    near(one.at_most().unwrap(), 1.0e-3 / 4.0, 1.0e-9);
+    near(one.with_missing().unwrap(), 1.0e-3 / 4.0, 1.0e-9);
     // All fail from the lowest level on: at least the motions above it.
     let all = known(&[0.5; 20]).rate.unwrap();
     near(all.low.unwrap(), 1.0e-3 - 1.0e-7, 1.0e-9);
