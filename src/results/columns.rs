@@ -161,7 +161,8 @@ columns! {
         "outcome: full_contact, rocking, overturned_left, overturned_right, unresolved";
     /// The impacts.
     Impacts = impacts: u32, "impacts", "",
-        "number of impacts; of a block that stays up those until no later one can change another column of the map";
+        "number of impacts; for a block that stays up, the impacts up to the time after which no impact can change another \
+         column of the map";
     /// The uplifts.
     Uplifts = uplifts: u32, "uplifts", "", "uplifts from full contact, counted as long as impacts are";
     /// The end, s.
@@ -170,7 +171,7 @@ columns! {
     TUplift = t_uplift: Option<f64>, "t_uplift", "s",
         "time of the first uplift; empty, or not a number, where there is none";
     /// The rocking index.
-    Zeta = zeta: f64, "zeta", "", "largest |φ| over the critical angle of its side; 1 when overturned";
+    Zeta = zeta: f64, "zeta", "", "largest |φ| divided by the critical angle of its side; 1 if the block overturned";
     /// The largest phi about the left corner, rad.
     MaxPhiLeft = max_phi_left: f64, "max_phi_left", "rad", "largest rotation about the left corner";
     /// The largest -phi about the right corner, rad.
@@ -180,14 +181,16 @@ columns! {
     /// The largest |v|, m.
     MaxV = max_v: f64, "max_v", "m", "largest |v|, with the static deflection";
     /// The largest |v + g/omega_v^2|, m.
-    StrokeV = stroke_v: f64, "stroke_v", "m", "largest |v + g/ω_v²|: from the static position";
+    StrokeV = stroke_v: f64, "stroke_v", "m",
+        "stroke of v: largest vertical displacement of the base from the static position, |v + g/ω_v²|";
     /// The least contact force over M, m/s^2.
     MinContact = min_contact: f64, "min_contact", "m/s²",
-        "least normal force between block and base over M; below zero the model does not hold";
+        "least normal force between block and base divided by the mass of the block, 9.81 at rest; below zero the model is not \
+         valid";
     /// The friction asked for.
     Friction = friction: f64, "friction_demand", "",
-        "friction coefficient that keeps the block from sliding: largest |horizontal| over normal force while the latter is \
-         positive; it grows without bound as that force nears zero";
+        "friction coefficient that keeps the block from sliding: largest |horizontal force| divided by the normal force while that \
+         is positive; it grows without bound as the normal force approaches zero";
     /// How the integration ended.
     Status = status: Status, "status", "",
         "how the integration ended: ok, event_limit, diverged, step_limit, vertical_locked, undecided";
@@ -197,27 +200,27 @@ columns! {
          results can no longer change";
     /// The acceleration of the plate, m/s^2.
     AccPlate = acc_plate: f64, "acc_plate", "m/s²",
-        "largest absolute horizontal acceleration of the upper plate; only where it is asked for";
+        "largest absolute horizontal acceleration of the upper plate; only on request";
     /// The acceleration of the centre of mass, m/s^2.
     AccBlock = acc_block: f64, "acc_block", "m/s²",
-        "largest absolute horizontal acceleration of the block's centre of mass; only where it is asked for";
+        "largest absolute horizontal acceleration of the block's centre of mass; only on request";
     /// The acceleration of the plate with gravity, m/s^2.
     AccPlateTotal = acc_plate_total: f64, "acc_plate_total", "m/s²",
         "largest acceleration of the upper plate with gravity, horizontal and vertical together: what an accelerometer on it \
-         measures, 9.81 at rest; only where it is asked for";
+         measures, 9.81 at rest; only on request";
     /// The acceleration of the centre of mass with gravity, m/s^2.
     AccBlockTotal = acc_block_total: f64, "acc_block_total", "m/s²",
-        "the same of the block's centre of mass; only where it is asked for";
+        "the same for the centre of mass of the block; only on request";
     /// What the base carries, N.
     BaseLoad = base_load: f64, "base_load", "N",
         "largest vertical force that the base carries: of block and plates on a horizontal or dual isolation, of block and upper \
-         plate on a vertical one, of the block without isolation; only where it is asked for";
+         plate on a vertical one, of the block without isolation; only on request";
     /// The force on the end stop, N.
     StopForce = stop_force: f64, "stop_force", "N",
-        "largest force on the end stop; only where it is asked for";
+        "largest force on the end stop; only on request";
     /// How often the base met its end stop.
     StopHits = stop_hits: u32, "stop_hits", "",
-        "how often the end stop began to push the base; only where it is asked for";
+        "number of times at which the end stop began to push the base; only on request";
 }
 
 impl Column {
@@ -237,9 +240,9 @@ Generated from the table in `src/results/columns.rs`; `TOPPLE_WRITE_DOCS=1 cargo
 `map.csv` has one row per cell: its place along each axis (columns named by the axes' keys, [parameters.md](parameters.md)), then
 the columns below in this order, except for `t_simulated`. `map.npz` holds each as an array with an index for each axis, the
 first axis last: (A_h, Ω) for a map over (Ω, A_h). Names are codes there. Numbers are f32 where the sweep was (`--precision`),
-axes f64. The array `proved`, which goes with `status`, is true for a cell that ended early: an energy bound shows that its results
-can no longer change (the impacts of a block that stays up are counted until then). `about` is a text in JSON: units, meanings, the
-names of the codes, the scene, the version. `--columns` asks for some columns only ([map.md](map.md#files)): no table and no map.npz has the others.
+axes f64. The array `proved` is true for a cell that ended early because an energy bound shows that its results can no longer
+change; the impacts of a block that stays up are counted up to that time. `about` is a text in JSON: units, meanings, the
+names of the codes, the scene, the version. `--columns` asks for some columns only ([map.md](map.md#files)); then tables and map.npz have no other columns.
 
 ```python
 import json, numpy
@@ -256,7 +259,7 @@ const TAIL: &str = "
 ## map.zarr
 
 `--files zarr` writes the same arrays as a Zarr group, version 3, in chunks of 65,536 to 1,048,576 cells; a map of more than
-16.7 million cells is written so alone (`--files csv,npz` writes them, too). xarray and dask open it by themselves:
+16.7 million cells is written only in this form (`--files csv,npz` writes map.csv and map.npz, too). xarray and dask open it without the package:
 
 ```python
 import xarray

@@ -12,23 +12,23 @@ Generated from the table in `src/scene/parameters.rs`; `TOPPLE_WRITE_DOCS=1 carg
 again. SI units everywhere.
 
 A key stands in its table of a scene file (`[block]`, `[base]`, ...); with dashes in place of underscores it is a flag
-(`t_h`, `--t-h`), and it names the column and the array of an axis. Every number takes
+(`t_h`, `--t-h`), and it names the column and the array of an axis. A number can be written in these ways:
 
 | written | values |
 |---|---|
 | `2` | one |
-| `0.5:4:400` | 400 from 0.5 to 4, both included, evenly apart |
+| `0.5:4:400` | 400 from 0.5 to 4, both included, equally spaced |
 | `0.01:10:50:log` | 50 from 0.01 to 10, each the same factor larger |
-| `0.5,1,2` | these, in this order |
+| `0.5,1,2` | these values, in this order |
 
-Numbers of several values are the axes of the sweep, six at most. `--x KEY` and `--y KEY` choose those of the picture;
-else omega, a_h, t_h and t_v come first, then the others in the order given. A magnitude outside of the plausible ones is
+Numbers with several values are the axes of the sweep, at most six. `--x KEY` and `--y KEY` choose the axes of the picture;
+otherwise omega, a_h, t_h and t_v come first, then the others in the given order. A value outside of the plausible range is
 refused; `--force` (in a file `force = true` under `[run]`) accepts it.
 ";
 
 const SHAPES: &str = "
-`shape` in a file, `--pulse` as a flag, says what it looks like; its largest acceleration is A_h across and A_v up,
-whatever its shape.
+`shape` in a file, or the flag `--pulse`, chooses the shape. The largest acceleration is A_h horizontally and A_v vertically,
+for every shape.
 
 | shape | acceleration |
 |---|---|

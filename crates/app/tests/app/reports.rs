@@ -417,7 +417,7 @@ fn a_report_of_devices_has_no_raw_names() {
     }
     assert!(
         page.contains(
-            "<td>largest |φ| over the critical angle of its side, not exceeded under 84 %</td>"
+            "<td>largest |φ| divided by the critical angle of its side, not exceeded under 84 %</td>"
         ),
         "{page}"
     );
