@@ -1,6 +1,6 @@
 //! What a scene is, in words: for captions, and for what a command says.
 
-use super::parameters::{Caption, PARAMETERS};
+use super::parameters::{Caption, Entry, PARAMETERS};
 use super::{Directions, GRAVITY, Overturn, Parameter, Scene};
 
 /// The parameters of a scene that its axes do not show, without its record's.
@@ -24,15 +24,25 @@ pub fn fixed(scene: &Scene) -> Vec<String> {
         }
         parts.extend(single(entry.parameter).map(|value| entry.written(value)));
     }
-    for entry in shown(Caption::Unusual) {
-        let usual = |value: f64| entry.default.parse() == Ok(value);
-        let unusual = single(entry.parameter).filter(|value| !usual(*value));
-        parts.extend(unusual.map(|value| entry.written(value)));
-    }
+    parts.extend(seldom_shown(scene, false));
     if scene.overturn == Overturn::QuarterTurn {
         parts.push("overturned at 90°".into());
     }
     parts
+}
+
+/// The parameters that captions leave out, because they have their usual values.
+pub fn usual(scene: &Scene) -> Vec<String> {
+    seldom_shown(scene, true)
+}
+
+/// The parameters that captions show where their values are unusual: those with the usual value, or the others.
+fn seldom_shown(scene: &Scene, usual: bool) -> Vec<String> {
+    let entries = PARAMETERS.iter().filter(|entry| entry.caption == Caption::Unusual);
+    let value = |entry: &Entry| scene.numbers.get(entry.parameter)?.single();
+    let of =
+        |entry: &Entry| value(entry).filter(|value| (entry.default.parse() == Ok(*value)) == usual);
+    entries.filter_map(|entry| Some(entry.written(of(entry)?))).collect()
 }
 
 /// The whole width and height of the block, where neither varies: B is half of the width, and H the height of the centre of

@@ -323,6 +323,23 @@ fn tell(compared: &Comparison, im: Intensity, say: &Reporter) {
             lines.iter().for_each(|line| say.line("", format!("  {line}")));
         }
     }
+    say.line("limits", kept(compared));
+}
+
+/// Devices whose names are printed.
+const NAMED: usize = 12;
+
+/// The devices that keep all limits under the motions as they are.
+fn kept(compared: &Comparison) -> String {
+    let keeps = compared.rows().filter(|(_, device)| device.cell.feasible);
+    let names: Vec<&str> = keeps.map(|(name, _)| name).collect();
+    let of = suite::counted(compared.devices.len(), "device");
+    match names.len() {
+        0 => format!("none of {of} keeps all limits"),
+        1 => format!("1 of {of} keeps all limits: {}", names[0]),
+        count if count <= NAMED => format!("{count} of {of} keep all limits: {}", names.join("; ")),
+        count => format!("{count} of {of} keep all limits; the column feasible is 1 for these"),
+    }
 }
 
 /// Warns of curves of overturning that are above those of uplift.

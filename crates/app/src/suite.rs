@@ -197,12 +197,7 @@ fn tell(suite: &Suite, say: &Reporter) {
     say.line("suite", format!("{} of {of}", counted(motions.len(), "motion")));
     let noted = suite.motions().filter(|(entry, _)| !entry.notes.is_empty()).count();
     if noted > 0 {
-        say.line(
-            "",
-            format!(
-                "the table has notes on {noted} of them: resampled, padded, scaled, a sign changed, and others"
-            ),
-        );
+        say.line("", format!("the column notes of the table says more about {noted} of them"));
     }
     let left_out: Vec<_> = suite.left_out().collect();
     if !left_out.is_empty() {

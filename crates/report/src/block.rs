@@ -1,13 +1,14 @@
 //! The block on its base: the block to scale, what carries it as symbols.
 
 use topple::results::colour::BLACK;
+use topple::scene::parameters::{Entry, Section};
 use topple::scene::record::rounded;
 use topple::scene::{Case, Device, Grid, Parameter, Scene};
 use topple_pictures::drawing::canvas::{Canvas, Place, dashed, stroke};
 use topple_pictures::drawing::text::{MIDDLE, style};
 use topple_pictures::drawing::{COLUMN, FONT};
 
-use super::tables::percent;
+use super::tables::{number, percent};
 
 /// Largest width and height of the block, points.
 const MOST: (f64, f64) = (120.0, 170.0);
@@ -236,10 +237,16 @@ pub fn caption(scene: &Scene, case: &Case) -> String {
             Device::Bilinear => " It is a bearing with two stiffnesses: T_h is its period before it yields, T that after yielding.".into(),
         };
     }
-    let swept = scene.swept();
-    if !swept.is_empty() {
-        let symbols: Vec<&str> = swept.iter().map(|one| one.entry().symbol).collect();
-        text += &format!(" Of {}, which vary, the first values are drawn.", symbols.join(", "));
+    // The drawing shows nothing of the ground's motion.
+    let drawn = |entry: &Entry| matches!(entry.section, Section::Block | Section::Base);
+    let swept = scene.swept().into_iter().map(Parameter::entry).filter(|entry| drawn(entry));
+    let first = swept.filter_map(|entry| {
+        let value = scene.numbers.get(entry.parameter)?.iter().next()?;
+        Some(entry.written(number(value)))
+    });
+    let first: Vec<String> = first.collect();
+    if !first.is_empty() {
+        text += &format!(" Drawn for the first values: {}.", first.join(", "));
     }
     text
 }

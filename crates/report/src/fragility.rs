@@ -233,8 +233,8 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         ),
     };
     let mut pieces = vec![Piece::Text(format!(
-        "{levels} The curves are estimated by {by}. θ is the level at which half of the motions make the block fail, \
-         β how wide the step from none to all is."
+        "{levels} The curves are estimated by {by}. θ is the level at which half of the motions make the block fail; \
+         β is the standard deviation of the natural logarithm of this level from motion to motion."
     ))];
     // The other estimates are in the run's directory.
     let mut fitted = rows(folder, "fits.csv")?.unwrap_or_default();

@@ -5,6 +5,7 @@
 //! folder -> document -> tables -> block -> fragility -> findings -> summary -> contents -> html, print -> file
 //! ```
 
+mod along;
 mod block;
 mod contents;
 mod document;

@@ -5,7 +5,7 @@ use topple::results::earlier::Kind;
 
 use super::folder::{Folder, ReportError, Row, Rows};
 use super::tables::{number, percent, shown, value};
-use super::{findings, fragility};
+use super::{along, findings, fragility};
 
 /// Devices that are named.
 const NAMED: usize = 6;
@@ -38,7 +38,7 @@ fn sentence(text: &str) -> String {
 
 fn found(folder: &Folder) -> Result<Vec<String>, ReportError> {
     Ok(match folder.kind {
-        Kind::Map => map(folder),
+        Kind::Map => map(folder)?,
         Kind::History => vec![findings::motion(folder)],
         Kind::Suite => suite(&folder.table("suite.csv")?.unwrap_or_default()),
         Kind::Envelope => {
@@ -50,11 +50,14 @@ fn found(folder: &Folder) -> Result<Vec<String>, ReportError> {
     })
 }
 
-/// The shares of a map, the largest first.
-fn map(folder: &Folder) -> Vec<String> {
+/// What becomes of the block along the only axis of a map; else the shares of the map, the largest first.
+fn map(folder: &Folder) -> Result<Vec<String>, ReportError> {
     let cells = folder.number("cells").unwrap_or(0.0).max(1.0);
     if cells == 1.0 {
-        return findings::single(folder).into_iter().chain(findings::tensile(folder)).collect();
+        return Ok(findings::single(folder).into_iter().chain(findings::tensile(folder)).collect());
+    }
+    if let Some(along) = along::of(folder)? {
+        return Ok(std::iter::once(along).chain(findings::tensile(folder)).collect());
     }
     let counts = folder.run.get("outcomes").and_then(Value::as_object);
     let shares = counts.into_iter().flatten().filter_map(|(key, count)| {
@@ -67,8 +70,9 @@ fn map(folder: &Folder) -> Vec<String> {
         0 => format!("In {} of the {cells} points of the map the block {what}", percent(share)),
         _ => format!("in {} it {what}", percent(share)),
     });
-    let told = told.collect::<Vec<_>>().join(", ") + ".";
-    std::iter::once(told).chain(findings::tensile(folder)).collect()
+    let told = told.collect::<Vec<_>>().join(", ")
+        + ". Such a share is no probability: it depends on the ranges of the axes.";
+    Ok(std::iter::once(told).chain(findings::tensile(folder)).collect())
 }
 
 fn suite(rows: &Rows) -> Vec<String> {

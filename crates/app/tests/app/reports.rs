@@ -26,6 +26,32 @@ fn read(path: &Path) -> String {
     fs::read_to_string(path).unwrap()
 }
 
+/// Along one axis the summary says where the block stands, rocks and overturns, by the rows of map.csv.
+#[test]
+fn along_one_axis_a_report_says_where_the_block_overturns() {
+    let place = TempDir::new().unwrap();
+    let line = "pulse --object 1 --isolation none --omega 9 --a-h 0.5:12:24 --backend cpu --verify none --out map";
+    topple(&place, &line.split(' ').collect::<Vec<_>>()).success();
+    topple(&place, &["report", "map", "--out", "report.html"]).success();
+    let page = read(&place.path().join("report.html"));
+    let table = read(&place.path().join("map/map.csv"));
+    let of = |word: &str| -> Vec<f64> {
+        let rows = table.lines().skip(1).filter(|row| row.contains(word));
+        rows.map(|row| row.split(',').nth(1).unwrap().parse().unwrap()).collect()
+    };
+    for (word, said) in
+        [("full_contact", "stays in full contact with its base"), ("overturned", "overturns")]
+    {
+        let at = of(word);
+        let [least, most] = [at[0], at[at.len() - 1]];
+        assert!(at.len() > 2);
+        let wanted = format!("{said} at {}, from ", at.len());
+        let text = page.find(&wanted).map(|from| &page[from..from + 200]);
+        let ends = format!("A<sub>h</sub> = {least} m/s² to A<sub>h</sub> = {most} m/s²");
+        assert!(text.is_some_and(|text| text.contains(&ends)), "{wanted}{ends}: {text:?}");
+    }
+}
+
 #[test]
 fn a_page_stands_alone_and_says_what_run_json_says() {
     let place = TempDir::new().unwrap();
@@ -43,6 +69,7 @@ fn a_page_stands_alone_and_says_what_run_json_says() {
         "@page",
         "The block and its base",
         "ε = 0.2",
+        "the usual values: ψ = 0.25, ",
         "topple run map --out again",
     ] {
         assert!(page.contains(word), "{word}: {page}");
