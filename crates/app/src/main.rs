@@ -8,6 +8,7 @@ mod beside;
 mod chart;
 mod command_line;
 mod compare;
+mod compare_words;
 mod completions;
 mod date;
 mod device_remarks;
