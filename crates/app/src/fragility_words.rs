@@ -214,7 +214,7 @@ pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
         let fallen = one.capacities.iter().flatten().count();
         let weighted = if study.is_weighted() { ", by weight," } else { "" };
         let text = format!(
-            "{fallen} of {} motions overturn it; {:.0} % of these{weighted} let it stand again at a higher level",
+            "{fallen} of {} motions overturn the block; under {:.0} % of these{weighted} it stands again at a higher level",
             one.capacities.len(),
             100.0 * share
         );
@@ -251,7 +251,7 @@ fn use_of(first: Estimator, others: &[Estimator]) -> String {
     };
     let others: Vec<&str> = others.iter().map(|one| one.name()).collect();
     format!(
-        "use those by {}, which are drawn, and whose rates are told: {why}; {} for comparison",
+        "use {}, which gives the picture and the rates: {why}; for comparison: {}",
         first.name(),
         others.join(", ")
     )

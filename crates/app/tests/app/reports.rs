@@ -350,7 +350,7 @@ fn fits_are_told_with_why_they_are_open_and_motions_in_both_directions() {
     let count = read(Path::new(&records)).lines().count() - 1;
     assert!(page.contains(&format!("{count} motions of the suite")), "{page}");
     assert!(page.contains("Each is taken in both directions"), "{page}");
-    assert!(page.contains("overturning: none fails up to the highest level, 1"), "{page}");
+    assert!(page.contains("overturning: no run fails up to the highest level, 1"), "{page}");
     assert!(page.contains("–: the motions tell no curve"), "{page}");
     // A median that is known about is told so.
     let path = place.path().join("low/fits.csv");

@@ -101,18 +101,19 @@ impl fmt::Display for Note {
             Note::Separable(Gap { stands: Some(stands), fails: Some(fails) }) => {
                 let [stands, fails] = [*stands, *fails].map(four_digits);
                 match stands == fails {
-                    true => {
-                        write!(out, "runs that stand and runs that fail meet at {stands} alone")?
-                    }
-                    false => write!(out, "all stand up to {stands} and all fail from {fails} on")?,
+                    true => write!(out, "some runs stand and some fail at {stands} alone")?,
+                    false => write!(
+                        out,
+                        "no run fails up to {stands}, and every run fails from {fails} on"
+                    )?,
                 }
                 write!(out, ": no beta above zero fits best")
             }
             Note::Separable(Gap { stands: Some(stands), fails: None }) => {
-                write!(out, "none fails up to the highest level, {}", four_digits(*stands))
+                write!(out, "no run fails up to the highest level, {}", four_digits(*stands))
             }
             Note::Separable(Gap { stands: None, fails: Some(fails) }) => {
-                write!(out, "all fail from the lowest level on, {}", four_digits(*fails))
+                write!(out, "every run fails from the lowest level on, {}", four_digits(*fails))
             }
             Note::Separable(Gap { stands: None, fails: None }) | Note::NoRuns => {
                 write!(out, "there is no run")

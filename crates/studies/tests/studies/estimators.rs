@@ -194,10 +194,10 @@ fn every_fit_without_a_curve_says_why() {
     assert_relative_eq!(said.theta.unwrap(), 2.0_f64.sqrt(), max_relative = 1e-12);
     assert_eq!(
         said.note.unwrap().to_string(),
-        "all stand up to 1 and all fail from 2 on: no beta above zero fits best"
+        "no run fails up to 1, and every run fails from 2 on: no beta above zero fits best"
     );
     let said = of(Estimator::Stripes, &[&stands, &stands]);
-    assert_eq!(said.note.unwrap().to_string(), "none fails up to the highest level, 2");
+    assert_eq!(said.note.unwrap().to_string(), "no run fails up to the highest level, 2");
     assert!(said.theta.is_none() && said.theta_high.is_none() && said.beta_high.is_none());
 }
 
