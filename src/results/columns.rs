@@ -210,7 +210,8 @@ columns! {
          measures, 9.81 at rest; only on request";
     /// The acceleration of the centre of mass with gravity, m/s^2.
     AccBlockTotal = acc_block_total: f64, "acc_block_total", "m/s²",
-        "the same for the centre of mass of the block; only on request";
+        "largest acceleration of the centre of mass of the block with gravity, horizontal and vertical together, 9.81 at rest; only \
+         on request";
     /// What the base carries, N.
     BaseLoad = base_load: f64, "base_load", "N",
         "largest vertical force that the base carries: of block and plates on a horizontal or dual isolation, of block and upper \

@@ -108,7 +108,12 @@ pub fn draw(scene: &Scene, case: &Case) -> String {
         y += SPRING;
     }
     if base.horizontal.is_some() {
-        plate(&mut canvas, y, format!("m_h = {} kg", short(base.plate_h)));
+        // Without a vertical isolation both plates move as one.
+        let plates = match base.vertical {
+            Some(_) => format!("m_h = {} kg", short(base.plate_h)),
+            None => format!("m_h + m_v = {} kg", short(base.plate_h + base.plate_v)),
+        };
+        plate(&mut canvas, y, plates);
         y += PLATE;
         let words = moves(scene, case);
         // As high as the words beside it.

@@ -3,7 +3,7 @@
 
 use serde_json::Value;
 use topple::results::earlier::{Kind, RUN};
-use topple::scene::{Excitation, GRAVITY, Parameter, Scene, shown, words};
+use topple::scene::{Excitation, GRAVITY, Scene, shown, words};
 
 use super::document::{Document, Piece};
 use super::folder::{Folder, ReportError};
@@ -87,14 +87,13 @@ const LEFT_OUT: [&str; 8] = [
 
 /// By what all motions of a suite are multiplied, where it is not 1.
 fn scaled(folder: &Folder) -> String {
-    let scale = folder.scene.as_ref().and_then(|scene| scene.numbers.get(Parameter::Scale));
-    match scale.map(|scale| (scale.ends(), scale.count())) {
-        Some(((one, _), 1)) if one != 1.0 => format!(
+    let text = |scale| {
+        format!(
             " Each is multiplied by {}; the peaks below are those of the records themselves.",
-            number(one)
-        ),
-        _ => String::new(),
-    }
+            number(scale)
+        )
+    };
+    folder.scale().map_or(String::new(), text)
 }
 
 /// The title of a run, and where it lies: the one that its pictures have, or that of its scene.
@@ -238,7 +237,8 @@ fn strengths(folder: &Folder) -> Vec<Piece> {
         let value = |key: &str| of.get(key).and_then(Value::as_f64);
         let text = |key: &str| of.get(key).and_then(Value::as_str).unwrap_or("–").to_string();
         let (pga, pga_v) = (value("pga_h")?, value("pga_v")?);
-        let cells = [pga, pga_v, value("pgv")?].map(number);
+        let vertical = if pga_v == 0.0 { "none".into() } else { number(pga_v) };
+        let cells = [number(pga), vertical, number(value("pgv")?)];
         Some((pga, [vec![id.clone(), text("event"), text("station")], cells.to_vec()].concat()))
     });
     let mut told: Vec<(f64, Vec<String>)> = told.collect();
@@ -316,6 +316,12 @@ fn unrepeatable(folder: &Folder) -> Option<&'static str> {
     }
 }
 
+/// A directory for the repetition of a run, another one for each run.
+fn again(folder: &Folder) -> String {
+    let name = folder.path.file_name().map(|name| name.to_string_lossy());
+    shown::word(&name.map_or("again".into(), |name| format!("{name}-again")))
+}
+
 /// How a run is made again, and what its inputs were; those that are already `told` are not told again.
 fn repeated(folder: &Folder, told: &mut Vec<String>) -> Vec<Piece> {
     let mut pieces = vec![Piece::Text(format!(
@@ -338,12 +344,14 @@ fn repeated(folder: &Folder, told: &mut Vec<String>) -> Vec<Piece> {
         }
         None if matches!(folder.kind, Kind::Suite) => {
             vec![format!(
-                "topple suite {} --out again",
-                shown::word(folder.text("suite").unwrap_or_default())
+                "topple suite {} --out {}",
+                shown::word(folder.text("suite").unwrap_or_default()),
+                again(folder)
             )]
         }
         None => {
-            vec![format!("topple run {} --out again", shown::word(&folder.path.to_string_lossy()))]
+            let path = shown::word(&folder.path.to_string_lossy());
+            vec![format!("topple run {path} --out {}", again(folder))]
         }
     };
     if let Some(place) = folder.run.get("command").and_then(|command| command.get("directory"))

@@ -20,14 +20,13 @@ fn meaning(kind: Kind, name: &str) -> &'static str {
         }
         (Kind::Suite, _) => "The ground motions of the suite.",
         (Kind::Envelope, _) => {
-            "All motions of the suite together. Where all limits are kept the base would do; the axes are the numbers of the base or \
+            "All motions of the suite together: where the base keeps the limits that were set. The axes are the numbers of the base or \
              of the block that were varied."
         }
         (Kind::Fragility, _) => {
             "How likely the block fails, over the strength of the ground motion: the farther to the right a curve lies, the stronger \
              the motions that the block survives. A mark is the share of the motions that make the block fail at this strength; a curve is \
-             fitted to the marks. A band shows how uncertain its curve is: with other motions of the same kind the curve would lie in the band \
-             in 95 of 100 cases."
+             fitted to the marks. A band shows how uncertain its curve is: it holds the curves with θ anywhere in its 95 % interval."
         }
         (Kind::Comparison, _) => {
             "The devices side by side: under which share of the motions the block stands, how far each base moves under these motions (one \
@@ -169,14 +168,25 @@ pub fn motion(folder: &Folder) -> String {
     let value = |key: &str| of(key).and_then(|value| value.as_f64());
     let class = of("class").and_then(|class| class.as_str()).unwrap_or_default();
     let mut text = format!("The block {}.", outcome(class));
+    if class.starts_with("overturned")
+        && let Some(end) = value("t_end")
+    {
+        text += &format!(" That is at {} s; what follows is of the time up to then.", number(end));
+    }
+    text += &match value("impacts") {
+        Some(1.0) => " It hits its base once.".to_string(),
+        Some(impacts) => format!(" It hits its base {} times.", number(impacts)),
+        None => String::new(),
+    };
     let numbers = [
-        ("impacts", " It hits its base", " times."),
-        ("max_u", " The base moves horizontally by up to", " m."),
-        ("stroke_v", " Its vertical stroke is up to", " m."),
+        ("max_u", "The base moves horizontally by up to", "m"),
+        ("stroke_v", "Its vertical stroke is up to", "m"),
+        ("acc_block", "The largest horizontal acceleration of its centre of mass is", "m/s²"),
+        ("base_load", "The base carries at most", "N"),
     ];
-    for (key, before, after) in numbers {
-        if let Some(value) = value(key) {
-            text += &format!("{before} {}{after}", number(value));
+    for (key, what, unit) in numbers {
+        if let Some(value) = value(key).filter(|value| *value > 0.0) {
+            text += &format!(" {what} {} {unit}.", number(value));
         }
     }
     if value("min_contact").is_some_and(|least| least < 0.0) {
@@ -188,7 +198,7 @@ pub fn motion(folder: &Folder) -> String {
 fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
     let rows = folder.table("suite.csv")?.unwrap_or_default();
     let mut pieces = vec![Piece::Text(format!(
-        "The suite has {} motions. Its peaks and durations are those after scaling.",
+        "Motions of the suite: {}. Their peaks are with the scale factors of a list, where it has any.",
         rows.len()
     ))];
     let columns = [
@@ -219,7 +229,7 @@ fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
 }
 
 /// What a base must keep, in a sentence.
-fn limits(folder: &Folder) -> String {
+pub fn limits(folder: &Folder) -> String {
     let share = folder.number("standing").unwrap_or(1.0);
     let mut text = match share {
         1.0 => "Limits: the block stands under all motions".to_string(),
@@ -234,6 +244,9 @@ fn limits(folder: &Folder) -> String {
         if let Some(limit) = folder.number(key) {
             text += &format!("; {what} {limit} m");
         }
+    }
+    if let Some(scale) = folder.scale() {
+        text += &format!("; the motions are multiplied by {}", number(scale));
     }
     text + "."
 }
@@ -271,6 +284,9 @@ pub fn best(folder: &Folder) -> Result<Option<String>, ReportError> {
             let by = match folder.text("best") {
                 Some("stroke_u") => "with the smallest horizontal displacement",
                 Some("stroke_v") => "with the smallest vertical stroke",
+                _ if folder.number("feasible") == folder.number("cells") => {
+                    "with the smallest horizontal displacement, since all keep the limits"
+                }
                 _ => "the farthest on the map from bases that do not keep all limits",
             };
             format!("The best base, {by}, has {}: on it the block", at.join(", "))
@@ -321,7 +337,7 @@ const STROKES: [(&str, &str); 16] = [
     ("max_u_84", "|u| not exceeded under 84 % [m]"),
     ("max_u_100", "|u| not exceeded under 100 % [m]"),
     ("stroke_v_100", "largest vertical stroke [m]"),
-    ("feasible", "keeps all limits (1: yes)"),
+    ("feasible", "keeps all limits"),
     ("reserve", "keeps all limits up to so many times the motions"),
     ("fails_at", "exceeds a limit at so many times the motions"),
     ("rate", "overturnings a year"),
@@ -347,8 +363,13 @@ fn beside(rows: &Rows, (key, columns): (&str, &[(&str, &str)])) -> Vec<Piece> {
     let some = &rows[..rows.len().min(ROWS)];
     let table = |rows: &[Row]| {
         let names = rows.iter().map(|row| shown(row, key));
+        let cell = |row: &Row, column: &str| match (column, shown(row, column).as_str()) {
+            ("feasible", "1") => "yes".to_string(),
+            ("feasible", "0") => "no".to_string(),
+            (_, text) => text.to_string(),
+        };
         let line = |(column, name): &&(&str, &str)| {
-            let values = rows.iter().map(|row| shown(row, column));
+            let values = rows.iter().map(|row| cell(row, column));
             std::iter::once(name.to_string()).chain(values).collect()
         };
         let names = std::iter::once(key.to_string()).chain(names).collect();
@@ -362,7 +383,8 @@ fn beside(rows: &Rows, (key, columns): (&str, &[(&str, &str)])) -> Vec<Piece> {
 fn comparison(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
     let rows = folder.table("compare.csv")?.unwrap_or_default();
     let mut pieces = vec![Piece::Text(format!(
-        "{} u is the displacement of the base, of the motions under which the block stands: one that overturns it is not counted.",
+        "{} Displacements, accelerations and forces are those of the motions under which the block stands: a motion that overturns it is not \
+         counted, and may give larger ones. u is the displacement of the base.",
         limits(folder)
     ))];
     let scenes = folder.scenes();
@@ -375,13 +397,20 @@ fn comparison(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         of_tables.contains(&column) || STROKES.iter().any(|(known, _)| *known == column)
     };
     let asked = rows.iter().flat_map(|row| row.keys()).filter(|column| !known(column));
-    let asked: BTreeSet<&String> = asked.collect();
+    // By their percentiles, 50 before 100.
+    let asked: BTreeSet<(&str, u32, &String)> = asked.filter_map(place).collect();
     let named: Vec<(&str, String)> =
-        asked.into_iter().map(|column| (column.as_str(), percentile(column))).collect();
+        asked.into_iter().map(|(_, _, column)| (column.as_str(), percentile(column))).collect();
     let mut columns = STROKES.to_vec();
     columns.extend(named.iter().map(|(column, name)| (*column, name.as_str())));
     pieces.extend(beside(&rows, ("device", &columns)));
     Ok(pieces)
+}
+
+/// The place of a percentile of a column among others: by the name of the column, then by the percentage.
+fn place(column: &String) -> Option<(&str, u32, &String)> {
+    let (name, share) = column.rsplit_once('_').unwrap_or((column, "0"));
+    Some((name, share.parse().unwrap_or(0), column))
 }
 
 /// What a percentile of a column of a map is, by its name: `zeta_84`.
@@ -391,7 +420,7 @@ fn percentile(name: &str) -> String {
         let entry = TABLE.iter().find(|entry| entry.name == column)?;
         let meaning = entry.meaning.split([';', ':']).next().unwrap_or_default();
         let unit = if entry.unit.is_empty() { String::new() } else { format!(" [{}]", entry.unit) };
-        Some(format!("{meaning}, not exceeded under {share} %{unit}"))
+        Some(format!("{meaning}, not exceeded under {share} % of these motions{unit}"))
     };
     of().unwrap_or_else(|| name.into())
 }

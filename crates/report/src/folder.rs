@@ -7,7 +7,7 @@ use serde::Deserialize;
 use serde_json::Value;
 use topple::results::earlier::{Kind, RUN};
 use topple::results::files::WriteError;
-use topple::scene::{Scene, bounded};
+use topple::scene::{Parameter, Scene, bounded};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::render;
 
@@ -150,6 +150,13 @@ impl Folder {
         });
         let of_devices: Vec<Scene> = of_devices.collect();
         if of_devices.is_empty() { self.scene.iter().cloned().collect() } else { of_devices }
+    }
+
+    /// By what all motions of a suite are multiplied, where it is not 1.
+    pub fn scale(&self) -> Option<f64> {
+        let scenes = self.scenes();
+        let scale = scenes.first()?.numbers.get(Parameter::Scale)?.single()?;
+        (scale != 1.0).then_some(scale)
     }
 
     /// The title that was asked for with the run.

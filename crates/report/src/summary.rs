@@ -17,10 +17,11 @@ const NAMED: usize = 6;
 pub fn of(folder: &Folder) -> Result<Vec<String>, ReportError> {
     let mut sure = vec![sentence(&checked(folder))];
     sure.extend(fragility::sureness(folder)?);
-    match folder.warnings.len() {
-        0 => {}
-        1 => sure.push("The run gave a warning, which stands below.".into()),
-        count => sure.push(format!("The run gave {count} warnings, which stand below.")),
+    match &folder.warnings[..] {
+        [] => {}
+        [one] => sure.push(format!("The run warned: {one}.")),
+        [one, other] => sure.push(format!("The run warned: {one}. And: {other}.")),
+        all => sure.push(format!("The run gave {} warnings, which stand below.", all.len())),
     }
     Ok(vec![
         format!("Asked: {}", findings::question(folder)),
@@ -45,7 +46,10 @@ fn found(folder: &Folder) -> Result<Vec<String>, ReportError> {
             std::iter::once(findings::kept(folder)).chain(findings::best(folder)?).collect()
         }
         Kind::Fragility => fragility::shortly(folder)?,
-        Kind::Comparison => devices(&folder.table("compare.csv")?.unwrap_or_default()),
+        Kind::Comparison => {
+            let rows = folder.table("compare.csv")?.unwrap_or_default();
+            std::iter::once(findings::limits(folder)).chain(devices(&rows)).collect()
+        }
         Kind::Probability => vec![findings::probable(folder)],
     })
 }
@@ -128,8 +132,14 @@ fn devices(rows: &Rows) -> Vec<String> {
     }
     let rarest = best(&all, "rate", f64::min);
     if let Some(row) = rarest.first().filter(|_| count > 1) {
+        let within = match (value(row, "rate_low"), value(row, "rate_high")) {
+            (Some(low), Some(high)) if rarest.len() == 1 => {
+                format!(" (95 %: {} to {})", number(low), number(high))
+            }
+            _ => String::new(),
+        };
         told.push(format!(
-            "The block overturns most rarely on {}: {} times a year.",
+            "The lowest rate of overturning is computed on {}: {} a year{within}.",
             named(&rarest),
             shown(row, "rate")
         ));
@@ -216,8 +226,8 @@ mod tests {
                 "{told}"
             );
             assert!(
-                told.contains("most rarely on bearing; ropes: 0.0004 times")
-                    || told.contains("most rarely on ropes; bearing: 0.0004 times"),
+                told.contains("computed on bearing; ropes: 0.0004 a year.")
+                    || told.contains("computed on ropes; bearing: 0.0004 a year."),
                 "{told}"
             );
             list.reverse();

@@ -8,9 +8,10 @@ use super::folder::{Row, Rows};
 /// Most rows of a table that are printed; the whole table lies in the run's directory.
 pub const ROWS: usize = 24;
 
-/// A number for readers: three digits.
+/// A number for readers: three digits, a small one with a power of ten.
 pub fn number(value: f64) -> String {
-    rounded(value, 3).to_string()
+    let short = rounded(value, 3);
+    if short != 0.0 && short.abs() < 1.0e-4 { format!("{short:e}") } else { short.to_string() }
 }
 
 /// A share as a percentage.

@@ -70,7 +70,7 @@ fn a_page_stands_alone_and_says_what_run_json_says() {
         "The block and its base",
         "ε = 0.2",
         "the usual values: ψ = 0.25, ",
-        "topple run map --out again",
+        "topple run map --out map-again",
     ] {
         assert!(page.contains(word), "{word}: {page}");
     }
@@ -381,7 +381,7 @@ fn what_no_command_repeats_is_said() {
         topple(&place, &["report", "record", "--out", "report.html"]).success();
         read(&place.path().join("report.html"))
     };
-    assert!(report().contains("topple run record --out again"));
+    assert!(report().contains("topple run record --out record-again"));
     let path = place.path().join("record/run.json");
     let mut run: serde_json::Value = serde_json::from_str(&read(&path)).unwrap();
     run["record"] = serde_json::Value::Null;
@@ -444,7 +444,7 @@ fn a_report_of_devices_has_no_raw_names() {
     }
     assert!(
         page.contains(
-            "<td>largest |φ| divided by the critical angle of its side, not exceeded under 84 %</td>"
+            "<td>largest |φ| divided by the critical angle of its side, not exceeded under 84 % of these motions</td>"
         ),
         "{page}"
     );

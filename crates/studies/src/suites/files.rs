@@ -145,6 +145,10 @@ impl Files {
             (Some(one), Some(other)) => {
                 Err(format!("{listed} may be {one} or {other}; give its folder in the list"))
             }
+            _ if Path::new(plain).has_root() => Err(format!(
+                "{}; a list gives paths from its own folder, and none outside of it",
+                none()
+            )),
             _ => Err(none()),
         }
     }
