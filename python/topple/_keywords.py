@@ -17,26 +17,28 @@ class Block(TypedDict, total=False):
 
     # a block of the paper's Table 1: 1 caryatid, 2 server cabinet, 3 hospital cabinet
     object: int
-    # B [m], half the width of the base; give two of half_width, height, slenderness and size
+    # B [m], half the width of the base, between the edges on which the block really stands (too large a value
+    # is unsafe); give two of half_width, height, slenderness and size
     half_width: Numbers
-    # H [m], height of the centre of mass
+    # H [m], height of the centre of mass above the base: half the height of a uniform block
     height: Numbers
     # λ, H/B, the height of the centre of mass over half the width
     slenderness: Numbers
     # R [m], half the diagonal, the root of B² + H²
     size: Numbers
-    # M [kg], mass; needed only with plates; by default 1, without plates
+    # M [kg], mass; needed with plates, stiffnesses and forces. Otherwise it has no influence on the motion;
+    # by default 1, without plates
     mass: Numbers
     # J_C [kg m²], moment of inertia about the centre of mass; by default the uniform rectangle's, M (B² +
     # H²)/3
     inertia: Numbers
-    # ε, e/B: offset of the centre of mass to the right, over B; by default 0
+    # ε, e/B: offset of the centre of mass to the right, divided by B; by default 0
     eccentricity: Numbers
     # e [m], offset of the centre of mass to the right, in place of eccentricity; less than B
     offset: Numbers
-    # m_h [kg], mass of the plate that moves horizontally; by default 0
+    # m_h [kg], mass of the plate that moves horizontally only; by default 0
     plate_h: Numbers
-    # m_v [kg], mass of the plate that moves vertically; by default 0
+    # m_v [kg], mass of the plate that moves in both directions; by default 0
     plate_v: Numbers
 
 
@@ -47,17 +49,18 @@ class Base(TypedDict, total=False):
     isolation: str
     # what presses on a friction pendulum: follows or constant
     pressure: str
-    # T_h [s], period of the horizontal isolation
+    # T_h [s], period of the horizontal isolation with its initial stiffness, before it yields
     t_h: Numbers
     # T_v [s], period of the vertical isolation
     t_v: Numbers
-    # ψ, post-yield over initial stiffness; by default 0.25
+    # ψ, stiffness after yielding divided by the initial stiffness; by default 0.25
     psi: Numbers
-    # ξ_h, horizontal damping ratio; by default 0.05
+    # ξ_h, horizontal viscous damping ratio, relative to the initial stiffness; by default 0.05
     xi_h: Numbers
-    # ξ_v, vertical damping ratio; by default 0.1
+    # ξ_v, vertical viscous damping ratio; by default 0.1
     xi_v: Numbers
-    # α_y, yield displacement over PGA_h/ω_h²: a base whose strength grows with the motion; by default 0.1
+    # α_y, yield displacement divided by PGA_h/ω_h²: the strength of the base grows with the peak of the
+    # motion; by default 0.1
     alpha_y: Numbers
     # u_y [m], yield displacement, in place of alpha_y: a base that stays the same when the motion grows
     u_y: Numbers
@@ -106,10 +109,10 @@ class Pulse(TypedDict, total=False):
     a_v: Numbers
     # N, cycles of a one-sine or one-cosine pulse; by default 1
     cycles: Numbers
-    # γ, cycles of a pulse of Mavroeidis & Papageorgiou: oscillations under its bell; by default 2
+    # γ, number of cycles of a pulse of Mavroeidis & Papageorgiou, under its envelope; by default 2
     gamma: Numbers
-    # ν [rad], phase of the cosine of a Mavroeidis & Papageorgiou pulse: 0 for the largest velocity in the
-    # middle of the pulse, π/2 for none there; by default 0
+    # ν [rad], phase of the cosine of a Mavroeidis & Papageorgiou pulse: with 0 the velocity is largest in the
+    # middle of the pulse, with π/2 it is zero there; by default 0
     phase: Numbers
 
 
@@ -172,11 +175,11 @@ class Run(TypedDict, total=False):
     t_max: Numbers
     # φ_0 [rad], rotation of the block at the start, positive about the left corner; by default 0
     tilt: Numbers
-    # μ, friction coefficient of the contact: cells that need more are marked; the model has no sliding; by
-    # default none
+    # μ, friction coefficient between block and base: cells in which the block would slide are marked; the
+    # model has no sliding; by default none
     friction: Numbers
-    # η_φ, angular velocity after an impact over the one before, in place of the law; only without isolation;
-    # by default the law's
+    # η_φ, angular velocity after an impact divided by that before, instead of the law; only without
+    # isolation; by default the law's
     restitution: Numbers
     # r, factor on the law's angular velocity after an impact; the linear momenta are kept; a factor with
     # which an impact would raise the energy is refused; by default 1

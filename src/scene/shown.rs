@@ -9,7 +9,21 @@ const LINE: usize = 400;
 /// without a width, a separator of lines.
 pub fn is_hidden(letter: char) -> bool {
     letter.is_control()
-        || matches!(letter, '\u{ad}' | '\u{61c}' | '\u{180e}' | '\u{feff}')
+        || matches!(
+            letter,
+            '\u{ad}'
+                | '\u{34f}'
+                | '\u{61c}'
+                | '\u{180e}'
+                | '\u{2800}'
+                | '\u{3164}'
+                | '\u{feff}'
+                | '\u{ffa0}'
+        )
+        || matches!(
+            letter,
+            '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}' | '\u{fe00}'..='\u{fe0f}'
+        )
         || matches!(letter, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}')
         || matches!(letter, '\u{2060}'..='\u{206f}' | '\u{e0000}'..='\u{e007f}')
 }
@@ -45,7 +59,17 @@ fn cut(text: &str, most: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{line, shown, word};
+    use super::{is_hidden, line, shown, word};
+
+    #[test]
+    fn letters_that_nobody_sees_are_hidden() {
+        for letter in [
+            '\u{34f}', '\u{115f}', '\u{2800}', '\u{3164}', '\u{fe0f}', '\u{202e}', '\u{200b}', '\n',
+        ] {
+            assert!(is_hidden(letter), "{letter:?}");
+        }
+        assert!("aé漢 ".chars().all(|letter| !is_hidden(letter)));
+    }
 
     #[test]
     fn a_shell_takes_a_word_as_it_is() {

@@ -10,6 +10,7 @@ use crate::cells::clock::DEFAULT_STEP;
 use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::results::column_set::ColumnSet;
+use crate::results::columns::Column;
 use crate::results::shard::Shard;
 use crate::scene::{Parameter, Scene, SceneError};
 
@@ -77,6 +78,10 @@ impl Method {
             let problem = "marks cells by the friction that they ask for; add friction_demand to the columns, or \
                            leave it out";
             return Err(SceneError::new("friction", problem));
+        }
+        if self.columns.has(Column::BaseLoad) && !scene.numbers.has(Parameter::Mass) {
+            let problem = "base_load is a force, and the mass of the block is not known; give `mass`, or leave base_load out";
+            return Err(SceneError::new("columns", problem));
         }
         if self.columns.asked().stops && !scene.numbers.has(Parameter::StopGap) {
             let problem = "the base has no end stop; give `stop_gap` and `stop_stiffness`, or leave stop_force and stop_hits \

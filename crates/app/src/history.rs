@@ -117,14 +117,12 @@ fn largest(scene: &Scene, outcome: &Outcome) -> String {
     text += &format!("|phi| {phi:.6} rad; least N/M {:.4} m/s²", outcome.min_contact);
     text += &format!(", friction needed {:.4}", outcome.friction);
     text += &format!(
-        "; horizontal accelerations: plate {:.4} m/s², C {:.4} m/s², with gravity and the vertical ones {:.4} and {:.4} m/s²; \
-         the base carries {:.1} N",
-        outcome.acc_plate,
-        outcome.acc_block,
-        outcome.acc_plate_total,
-        outcome.acc_block_total,
-        outcome.base_load
+        "; horizontal accelerations: plate {:.4} m/s², C {:.4} m/s², with gravity and the vertical ones {:.4} and {:.4} m/s²",
+        outcome.acc_plate, outcome.acc_block, outcome.acc_plate_total, outcome.acc_block_total
     );
+    if scene.numbers.has(Parameter::Mass) {
+        text += &format!("; the base carries {:.1} N", outcome.base_load);
+    }
     text
 }
 

@@ -2,49 +2,65 @@
 
 use topple::results::earlier::Kind;
 use topple::scene::Parameter;
+use topple::scene::record::rounded;
 
 use super::folder::{Folder, ReportError, Row};
-use super::tables::{number, value};
+use super::tables::value;
 
 /// Values of an axis up to which a table is read for a sentence.
 const MOST: f64 = 1.0e4;
+/// Stretches of one outcome that are named.
+const NAMED: usize = 8;
 
-/// What becomes of the block along the only axis of a map; none of another run, and none of a map without map.csv.
+/// What becomes of the block along the only axis of a map, from its least to its largest value; none of another run, and none of
+/// a map without map.csv.
 ///
 /// # Errors
-/// [`ReportError::File`]: a table that cannot be read.
+/// [`ReportError::File`]: a table that cannot be read, or is not that of the run.
 pub fn of(folder: &Folder) -> Result<Option<String>, ReportError> {
     let swept = folder.scene.as_ref().map(|scene| scene.swept()).unwrap_or_default();
-    let [axis] = swept[..] else { return Ok(None) };
-    if folder.kind != Kind::Map || folder.number("cells").is_none_or(|cells| cells > MOST) {
+    let ([axis], Some(cells)) = (&swept[..], folder.number("cells")) else { return Ok(None) };
+    if folder.kind != Kind::Map || cells > MOST {
         return Ok(None);
     }
     let Some(rows) = folder.table("map.csv")? else { return Ok(None) };
-    let classes = [
-        (&["full_contact"][..], "stays in full contact with its base"),
-        (&["rocking"], "rocks and stays standing"),
-        (&["overturned_left", "overturned_right"], "overturns"),
-        (&["unresolved"], "has an outcome that is not decided"),
-    ];
-    let parts = classes.iter().filter_map(|(names, what)| {
-        let is_of = |row: &&Row| row.get("outcome").is_some_and(|own| names.contains(&&**own));
-        let at = rows.iter().filter(is_of).filter_map(|row| value(row, axis.key()));
-        Some(format!("{what} at {}", values(axis, &at.collect::<Vec<_>>())?))
-    });
-    let parts: Vec<String> = parts.collect();
-    Ok((!parts.is_empty()).then(|| {
-        let symbol = axis.entry().symbol;
-        format!("Of the {} values of {symbol}, the block {}.", rows.len(), parts.join("; it "))
-    }))
+    let at = |row: &Row| Some((value(row, axis.key())?, what(row.get("outcome")?)?));
+    let mut points: Vec<(f64, &str)> = rows.iter().filter_map(at).collect();
+    if !rows.first().is_some_and(|row| row.contains_key("outcome")) {
+        return Ok(None);
+    }
+    if points.len() as f64 != cells || points.iter().any(|(at, _)| !at.is_finite()) {
+        let problem = format!("it has not the {cells} values that run.json tells of");
+        return Err(ReportError::File(folder.path.join("map.csv"), problem));
+    }
+    points.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    let stretches: Vec<&[(f64, &str)]> =
+        points.chunk_by(|(_, one), (_, other)| one == other).collect();
+    if stretches.len() > NAMED {
+        return Ok(None);
+    }
+    let parts: Vec<String> = stretches.iter().filter_map(|stretch| told(*axis, stretch)).collect();
+    let symbol = axis.entry().symbol;
+    Ok(Some(format!("Over the {cells} values of {symbol} the block {}.", parts.join("; then it "))))
 }
 
-/// How many values there are, the least and the largest of them; none where there is none.
-fn values(axis: Parameter, at: &[f64]) -> Option<String> {
-    let (least, most) =
-        (at.iter().copied().reduce(f64::min)?, at.iter().copied().reduce(f64::max)?);
-    let written = |value: f64| axis.entry().written(number(value));
-    Some(match at.len() {
-        1 => format!("1, {}", written(least)),
-        count => format!("{count}, from {} to {}", written(least), written(most)),
+/// What an outcome is, both corners alike.
+fn what(class: &str) -> Option<&'static str> {
+    Some(match class {
+        "full_contact" => "stays in full contact with its base",
+        "rocking" => "rocks and stays standing",
+        "overturned_left" | "overturned_right" => "overturns",
+        "unresolved" => "has an outcome that is not decided",
+        _ => return None,
+    })
+}
+
+/// A stretch of values with one outcome.
+fn told(axis: Parameter, stretch: &[(f64, &'static str)]) -> Option<String> {
+    let ((least, what), (most, _)) = (*stretch.first()?, *stretch.last()?);
+    let written = |value: f64| axis.entry().written(rounded(value, 5));
+    Some(match stretch.len() {
+        1 => format!("{what} at {}", written(least)),
+        count => format!("{what} from {} to {} ({count} values)", written(least), written(most)),
     })
 }

@@ -202,3 +202,11 @@ fn further_columns_of_an_envelope_are_those_of_a_comparison() {
     );
     assert!(line.contains("--columns: outcome has names"), "{line}");
 }
+
+/// Without the mass of the block nothing is known of forces.
+#[test]
+fn what_the_base_carries_needs_the_mass() {
+    let line = "pulse --half-width 0.3 --height 1 --isolation none --omega 5 --a-h 4 --columns base_load --dry-run";
+    let said = refused(&line.split(' ').collect::<Vec<_>>());
+    assert!(said.contains("base_load is a force") && said.contains("--mass"), "{said}");
+}

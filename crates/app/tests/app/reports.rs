@@ -45,10 +45,39 @@ fn along_one_axis_a_report_says_where_the_block_overturns() {
         let at = of(word);
         let [least, most] = [at[0], at[at.len() - 1]];
         assert!(at.len() > 2);
-        let wanted = format!("{said} at {}, from ", at.len());
+        let wanted = format!("{said} from ");
         let text = page.find(&wanted).map(|from| &page[from..from + 200]);
-        let ends = format!("A<sub>h</sub> = {least} m/s² to A<sub>h</sub> = {most} m/s²");
+        let ends = format!(
+            "A<sub>h</sub> = {least} m/s² to A<sub>h</sub> = {most} m/s² ({} values)",
+            at.len()
+        );
         assert!(text.is_some_and(|text| text.contains(&ends)), "{wanted}{ends}: {text:?}");
+    }
+}
+
+/// Values with one outcome that do not lie side by side are told apart; a table that is not the run's is refused.
+#[test]
+fn along_one_axis_stretches_are_told_apart() {
+    let place = TempDir::new().unwrap();
+    let line = "pulse --object 1 --isolation none --omega 5 --a-h=-8:8:33 --backend cpu --verify none --out map";
+    topple(&place, &line.split(' ').collect::<Vec<_>>()).success();
+    let report = ["report", "map", "--out", "report.html"];
+    topple(&place, &report).success();
+    let page = read(&place.path().join("report.html"));
+    let from = page.find("Over the 33 values").unwrap();
+    let told = &page[from..from + page[from..].find("</li>").unwrap()];
+    assert_eq!(told.matches("overturns from").count(), 2, "{told}");
+    let path = place.path().join("map/map.csv");
+    let table = read(&path);
+    for damaged in [
+        table.lines().take(20).map(|line| format!("{line}\n")).collect::<String>(),
+        table.replacen("overturned_left", "fell", 1),
+    ] {
+        assert_ne!(damaged, table);
+        fs::write(&path, damaged).unwrap();
+        let said = topple(&place, &report).code(2).get_output().stderr.clone();
+        let said = String::from_utf8(said).unwrap();
+        assert!(said.contains("map.csv: it has not the 33 values"), "{said}");
     }
 }
 

@@ -254,6 +254,19 @@ fn recordings_are_counted_by_their_stations() {
     fs::write(bare.path().join("list.csv"), list).unwrap();
     let (code, said) = told(bare.path(), &["--strict"]);
     assert!(code == 0 && said.contains("4 motions of 2 recordings"), "{said}");
+    // One whose station is known and one that shares its vertical, in either order; of two stations a file is nobody's alone.
+    for (first, second, recordings) in [
+        ("E1,S1", ",", "1 recording"),
+        (",", "E1,S1", "1 recording"),
+        ("E1,S1", "E1,S2", "2 recordings"),
+    ] {
+        let list = format!(
+            "horizontal,vertical,dt,units,event,station\nah1.txt,av.txt,0.01,m/s2,{first}\nah2.txt,av.txt,0.01,m/s2,{second}\n"
+        );
+        fs::write(bare.path().join("list.csv"), list).unwrap();
+        let (_, said) = told(bare.path(), &[]);
+        assert!(said.contains(&format!("2 motions of {recordings}")), "{first} {second}: {said}");
+    }
 }
 
 /// One horizontal file beside no vertical and two of zeros, and two files beside the same zeros.

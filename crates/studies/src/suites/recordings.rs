@@ -10,24 +10,34 @@ impl Suite {
     /// known by the earthquake and the station; where one of them is not known, motions that share a file are of one.
     pub fn recordings(&self) -> (Vec<usize>, usize) {
         let mut first: HashMap<[&str; 3], usize> = HashMap::new();
-        let mut before: Vec<usize> = Vec::new();
-        for (number, (entry, motion)) in self.motions().enumerate() {
-            before.push(number);
-            for key in keys(entry, motion).into_iter().flatten() {
+        let motions: Vec<_> = self.motions().enumerate().collect();
+        let mut before: Vec<usize> = (0..motions.len()).collect();
+        // Those whose earthquake and station are known come first: another that shares a file with one of them is of its recording.
+        let (known, others): (Vec<_>, Vec<_>) =
+            motions.into_iter().partition(|(_, (entry, _))| is_known(entry));
+        for (number, (entry, motion)) in known.into_iter().chain(others) {
+            let of_files = !is_known(entry);
+            let place = (!of_files).then(|| [entry.event.as_str(), &entry.station, ""]);
+            let files = files(entry, motion).into_iter().flatten().map(|file| (file, of_files));
+            for (key, joins) in place.map(|place| (place, true)).into_iter().chain(files) {
                 let other = *first.entry(key).or_insert(number);
-                let [one, other] = [number, other].map(|motion| root(&before, motion));
-                before[one.max(other)] = one.min(other);
+                if joins {
+                    let [one, other] = [number, other].map(|motion| root(&before, motion));
+                    before[one.max(other)] = one.min(other);
+                }
             }
         }
         numbered((0..before.len()).map(|motion| root(&before, motion)))
     }
 }
 
-/// What a motion has in common with all others of its recording. A vertical of zeros is no recorder's, and may stand beside any.
-fn keys<'a>(entry: &'a Entry, motion: &Motion) -> [Option<[&'a str; 3]>; 2] {
-    if !entry.event.is_empty() && !entry.station.is_empty() {
-        return [Some([&entry.event, &entry.station, ""]), None];
-    }
+/// True where the earthquake and the station of a motion are known.
+fn is_known(entry: &Entry) -> bool {
+    !entry.event.is_empty() && !entry.station.is_empty()
+}
+
+/// The files of a motion. A vertical of zeros is no recorder's, and may stand beside any.
+fn files<'a>(entry: &'a Entry, motion: &Motion) -> [Option<[&'a str; 3]>; 2] {
     let vertical = entry.vertical.as_deref().filter(|_| motion.pair.pga_v > 0.0);
     [Some(entry.horizontal.as_str()), vertical].map(|file| file.map(|file| ["", "", file]))
 }
