@@ -5,7 +5,8 @@
 //! that no lane waits for another's switch. Every turn computes the rates at the start again: a switch
 //! changes them, and needs no code of its own for that.
 
-use crate::model::dynamics::{rates, uplift_moment};
+use crate::model::dynamics::{Contact, rates, uplift_moment};
+use crate::model::excitation::Ground;
 use crate::model::isolation::{stop_side, support};
 use crate::model::motion::Motion;
 use crate::model::real::{Real, Vector};
@@ -29,6 +30,22 @@ pub(super) fn select_motion<V: Vector>(
 }
 
 impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
+    /// Updates the largest accelerations of the lanes that move on, by the second derivatives of u and v, the contact force and
+    /// the ground at the start, the middle and the end of their spans.
+    #[inline(always)]
+    fn update_accelerations(
+        &mut self,
+        moved: V::Mask,
+        instants: &[([V; 2], Contact<V>, Ground<V>); 3],
+    ) {
+        let set = self.equations();
+        let [start, mid, end] = instants;
+        let start = Accelerations::of(&set, start.0, start.1, start.2);
+        let mid = Accelerations::of(&set, mid.0, mid.1, mid.2);
+        let end = Accelerations::of(&set, end.0, end.1, end.2);
+        self.extremes.update_accelerations(moved, [&start, &mid, &end]);
+    }
+
     /// Every lane makes its trial; the lanes whose cell has ended, a bit each.
     #[inline(always)]
     pub(super) fn turn(&mut self) -> u64 {
@@ -140,11 +157,13 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             self.extremes.update_contact(moved, k1.contact(), stepped.mid, k_end.contact());
         }
         if variant.asked.accelerations {
-            let set = self.equations();
-            let start = Accelerations::of(&set, [k1.ddu, k1.ddv], k1.contact(), ground);
-            let mid = Accelerations::of(&set, stepped.mid_base, stepped.mid, ground_mid);
-            let end = Accelerations::of(&set, [k_end.ddu, k_end.ddv], k_end.contact(), ground_end);
-            self.extremes.update_accelerations(moved, [&start, &mid, &end]);
+            let instants = [
+                ([k1.ddu, k1.ddv], k1.contact(), ground),
+                (stepped.mid_base, stepped.mid, ground_mid),
+                ([k_end.ddu, k_end.ddv], k_end.contact(), ground_end),
+            ];
+            // In a function of its own: few runs ask for it, and its code would slow the others down.
+            zero.with(|| self.update_accelerations(moved, &instants));
         }
         if variant.asked.stops {
             let set = self.equations();
