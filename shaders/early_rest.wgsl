@@ -29,9 +29,6 @@ fn rests_early(cell: Cell, state: State) -> bool {
     let arm = max(model.left.arm, model.right.arm);
     let root_h = sqrt(base_h) + sqrt(2.0 * model.mu_h * flight);
     let root_v = sqrt(base_v) + sqrt(2.0 * model.mu_v * flight);
-    if !within(cell, state, root_h * root_h, root_v * root_v) {
-        return false;
-    }
     // The moment that holds the block, by the inequality of Cauchy as in the certificate.
     let x_most = most_x(cell, root_h);
     let y_swing = most_y(cell, root_v);
@@ -39,25 +36,29 @@ fn rests_early(cell: Cell, state: State) -> bool {
     let least = model.least_arm * least_y - model.height * x_most;
     let most = arm * (model.gravity + y_swing) + model.height * x_most;
     let fall = model.height * least_y + arm * x_most;
-    let held = 4.0 * flight * (least + 2.0 * fall);
+    // The same at this moment, about the corner with the smaller one.
+    let base_now = support(cell, rested, Ground(0.0, 0.0));
+    let now = model.least_arm * base_now.f_v - model.height * abs(base_now.f_h);
+    let energy = flight * most / now;
+    let held = 4.0 * energy * (least + 2.0 * fall);
     let radians = 2.5 * momentum * max(cell.reach_h, cell.reach_v);
+    let eta = max(model.left.eta_phi, model.right.eta_phi);
+    let loss = max(1.0 - eta * eta * eta, 1.0e-6);
     if !(least > 0.0 && least >= radians && least * least >= held) {
         return false;
     }
-    let energy = flight * most / least;
-    if angles {
-        // The energy that the largest angles so far require.
-        let left = reached(model.left, least_y, x_most, state.max_phi_left);
-        let right = reached(model.right, least_y, x_most, state.max_phi_right);
-        if !(left >= energy && right >= energy) {
-            return false;
-        }
+    let angle = 2.0 * flight / sqrt(now * least);
+    if angles && !(min(state.max_phi_left, state.max_phi_right) >= angle) {
+        return false;
     }
-    return !forces || forces_are_final(state, false, x_most, y_swing, energy);
-}
-
-// The least energy over M of a flight to an angle about a corner.
-fn reached(corner: Corner, least_y: real, x_most: real, angle: real) -> real {
-    let sideways = angle * (model.height + 0.5 * corner.arm * angle);
-    return least_y * least_rise(corner, angle) - x_most * sideways;
+    // How far the flights move the base, and how fast.
+    let share = 1.25 + 0.02 * radians / (least * loss);
+    let moved = model.mu_v * arm * angle * share;
+    let kick = model.mu_v * arm * speed * sqrt(most / now);
+    let root_v_moved = sqrt(base_v) + cell.reach_v * moved;
+    if !within(cell, state, root_h * root_h, root_v_moved * root_v_moved) {
+        return false;
+    }
+    let swing = cell.reach_v * (root_v_moved + cell.reach_v * moved) + cell.damping_v * kick;
+    return !forces || forces_are_final(state, false, x_most, min(y_swing, swing), energy);
 }

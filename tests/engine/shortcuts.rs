@@ -280,53 +280,141 @@ fn a_block_that_chatters_rests_early() {
     }
 }
 
-/// The bound by which flights to come are left out, on a ball that bounces without loss under a force of two
-/// frequencies, the faster of 1 rad/s. Its first flight may last one radian.
-#[test]
-fn a_ball_that_bounces_gains_no_more_than_the_force_does() {
-    let mut random = Pcg64Mcg::new(43);
-    let mut uniform = |least: f64, most: f64| {
-        least + (most - least) * f64::from(random.next_u32()) / f64::from(u32::MAX)
-    };
-    let mut worst: f64 = 0.0;
-    for _ in 0..500 {
+/// A ball that bounces under a force of two frequencies, 1 on average, the faster of 1 rad/s.
+struct Bouncing {
+    /// Amplitude, frequency and phase of each part of the force.
+    terms: [(f64, f64, f64); 2],
+    least: f64,
+    most: f64,
+    /// The speed of its first flight, which lasts one radian at most under the least force.
+    first: f64,
+    /// Speed after an impact over that before it.
+    eta: f64,
+}
+
+impl Bouncing {
+    fn random(uniform: &mut impl FnMut(f64, f64) -> f64, eta: f64) -> Bouncing {
         let (a, slower) = (uniform(0.02, 0.95), uniform(0.0, 1.0));
         let terms = [
             (a * (1.0 - slower), 1.0, uniform(0.0, TAU)),
             (a * slower, uniform(0.1, 1.0), uniform(0.0, TAU)),
         ];
-        // The force's first and second integral.
-        let integral = |t: f64| {
-            t - terms
-                .iter()
-                .map(|(a, omega, phase)| a / omega * (omega * t + phase).cos())
-                .sum::<f64>()
-        };
-        let second = |t: f64| {
-            let swing = terms
-                .iter()
-                .map(|(a, omega, phase)| a / (omega * omega) * (omega * t + phase).sin());
-            0.5 * t * t - swing.sum::<f64>()
-        };
         let (least, most) = (1.0 - a, 1.0 + a);
-        let first = 0.5 * uniform(0.02, 1.0) * least;
-        let (mut speed, mut t) = (first, 0.0);
-        for _ in 0..300 {
-            let falls = |length: f64| {
-                second(t + length) - second(t) - integral(t) * length > speed * length
-            };
-            let (mut low, mut high) = (0.0, 2.001 * speed / least);
+        Bouncing { terms, least, most, first: 0.5 * uniform(0.02, 1.0) * least, eta }
+    }
+
+    fn force(&self, t: f64) -> f64 {
+        1.0 + self.terms.iter().map(|(a, omega, phase)| a * (omega * t + phase).sin()).sum::<f64>()
+    }
+
+    /// The first integral of the force.
+    fn integral(&self, t: f64) -> f64 {
+        t - self
+            .terms
+            .iter()
+            .map(|(a, omega, phase)| a / omega * (omega * t + phase).cos())
+            .sum::<f64>()
+    }
+
+    /// The second one.
+    fn second(&self, t: f64) -> f64 {
+        let swing = self
+            .terms
+            .iter()
+            .map(|(a, omega, phase)| a / (omega * omega) * (omega * t + phase).sin());
+        0.5 * t * t - swing.sum::<f64>()
+    }
+
+    /// Height and speed at a time of a flight that began at `from`.
+    fn at(&self, from: f64, speed: f64, time: f64) -> [f64; 2] {
+        let fallen = self.second(from + time) - self.second(from) - self.integral(from) * time;
+        [speed * time - fallen, speed - (self.integral(from + time) - self.integral(from))]
+    }
+
+    /// Calls `flight` with the begin, the speed and the length of each of the first flights.
+    fn flights(&self, count: usize, mut flight: impl FnMut(f64, f64, f64)) {
+        let (mut speed, mut t) = (self.first, 0.0);
+        for _ in 0..count {
+            let (mut low, mut high) = (0.0, 2.001 * speed / self.least);
             for _ in 0..50 {
                 let middle = 0.5 * (low + high);
-                (low, high) = if falls(middle) { (low, middle) } else { (middle, high) };
+                let above = self.at(t, speed, middle)[0] >= 0.0;
+                (low, high) = if above { (middle, high) } else { (low, middle) };
             }
-            speed = integral(t + high) - integral(t) - speed;
+            flight(t, speed, high);
+            speed = -self.eta * self.at(t, speed, high)[1];
             t += high;
-            worst = worst.max((speed / first).powi(2) * least / most);
         }
     }
-    say(&format!("the largest energy is {worst:.3} of the bound"));
-    assert!(worst <= 1.0 && worst > 0.9, "{worst}");
+}
+
+/// Numbers between two others.
+fn uniform_numbers(seed: u128) -> impl FnMut(f64, f64) -> f64 {
+    let mut random = Pcg64Mcg::new(seed);
+    move |least, most| least + (most - least) * f64::from(random.next_u32()) / f64::from(u32::MAX)
+}
+
+/// The bounds of the energy and of the height of later flights, where impacts take no energy.
+#[test]
+fn a_ball_that_bounces_gains_no_more_than_the_force_does() {
+    let mut uniform = uniform_numbers(43);
+    let mut worst = [0.0_f64; 2];
+    for _ in 0..500 {
+        let ball = Bouncing::random(&mut uniform, 1.0);
+        let now = ball.force(0.0);
+        let height = ball.first.powi(2) / (now * ball.least).sqrt();
+        ball.flights(300, |from, speed, length| {
+            let energy = (speed / ball.first).powi(2) * now / ball.most;
+            let top = (1..8)
+                .map(|eighth| ball.at(from, speed, 0.125 * f64::from(eighth) * length)[0] / height);
+            worst = [worst[0].max(energy), top.fold(worst[1], f64::max)];
+        });
+    }
+    say(&format!("the largest energy and height are {worst:.3?} of their bounds"));
+    assert!(worst.iter().all(|share| *share <= 1.0 && *share > 0.5), "{worst:?}");
+}
+
+/// The bounds of the way of an oscillator, and of the force on it, that is as fast as one of the parts of the force, and
+/// on which a ball bounces.
+#[test]
+fn an_oscillator_moves_no_further_than_by_the_height_of_flights() {
+    let mut uniform = uniform_numbers(44);
+    let mut worst = [0.0_f64; 2];
+    for _ in 0..400 {
+        let eta = 1.0 - 10.0_f64.powf(uniform(-3.5, -0.7));
+        let ball = Bouncing::random(&mut uniform, eta);
+        let omega = if uniform(0.0, 1.0) < 0.6 { 1.0 } else { ball.terms[1].1 };
+        let xi = 10.0_f64.powf(uniform(-2.5, -0.5));
+        let now = ball.force(0.0);
+        let radians = 2.5 * ball.first / ball.least;
+        let way = ball.first.powi(2) / (now * ball.least).sqrt()
+            * (1.25 + 0.02 * radians / (1.0 - eta.powi(3)));
+        let kick = ball.first * (ball.most / now).sqrt();
+        let reach = omega * (1.0 + 4.0 * xi * xi).sqrt();
+        let force = 2.0 * reach * reach * way + 2.0 * xi * omega * kick;
+        // Displacement and velocity of the spring, of which the other end moves with the ball.
+        let mut y = [0.0; 2];
+        let rate = |[e, de]: [f64; 2], [r, dr]: [f64; 2]| {
+            [de, omega * omega * (r - e) + 2.0 * xi * omega * (dr - de)]
+        };
+        ball.flights(500, |from, speed, length| {
+            let h = length / 8.0;
+            for part in 0..8 {
+                let moves = |share: f64| ball.at(from, speed, (f64::from(part) + share) * h);
+                let step = |y: [f64; 2], k: [f64; 2], h: f64| [y[0] + h * k[0], y[1] + h * k[1]];
+                let k1 = rate(y, moves(0.0));
+                let k2 = rate(step(y, k1, 0.5 * h), moves(0.5));
+                let k3 = rate(step(y, k2, 0.5 * h), moves(0.5));
+                let k4 = rate(step(y, k3, h), moves(1.0));
+                y = step(step(step(step(y, k1, h / 6.0), k2, h / 3.0), k3, h / 3.0), k4, h / 6.0);
+                let ball = moves(1.0);
+                worst[0] = worst[0].max((y[0] - ball[0]).abs() / way);
+                worst[1] = worst[1].max(rate(y, ball)[1].abs() / force);
+            }
+        });
+    }
+    say(&format!("the largest way and force are {worst:.3?} of their bounds"));
+    assert!(worst.iter().all(|share| *share <= 1.0 && *share > 0.3), "{worst:?}");
 }
 
 #[test]
