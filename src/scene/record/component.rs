@@ -65,7 +65,7 @@ impl Component {
 
 /// True of the words for down, in capitals.
 fn is_down(word: &str) -> bool {
-    ["DWN", "DN", "DOWN", "DU", "DOWNWARD", "DOWNWARDS"].contains(&word)
+    ["DWN", "DN", "DOWN", "DU", "D-U", "DOWNWARD", "DOWNWARDS"].contains(&word)
 }
 
 /// The azimuth of a word that states one, degrees from north over east: `228`, `S45W`, `NS`, `E-W`, a channel `HNE`.

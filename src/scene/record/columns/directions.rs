@@ -4,9 +4,10 @@ use super::super::clock::Clock;
 use super::super::component;
 use super::super::numbers::number;
 use super::super::{Component, Units};
+use super::pieces::{Piece, dashes, lower, pieces};
 use super::polarity::{self, Polarity};
-use super::values::PRODUCT;
-use super::words::{self, TIMES, is_acceleration, tokens, without_brackets};
+use super::sign_words;
+use super::words::{self, TIMES, is_acceleration, tokens, without_brackets, without_units};
 
 /// Directions that mean nothing else where they stand in capitals.
 const DIRECTIONS: [&str; 8] = ["UD", "U-D", "NS", "N-S", "EW", "E-W", "NORTH-SOUTH", "EAST-WEST"];
@@ -30,18 +31,28 @@ const BESIDE: [&str; 12] = [
 /// A component, and its azimuth where it is horizontal and that is known.
 type Direction = (Component, Option<f64>);
 
+/// What stands behind a key of a direction: `ud` of `component: UD`.
+pub(super) fn keyed(words: &str) -> Option<String> {
+    const KEYS: [&str; 7] =
+        ["component", "comp", "direction", "dir", "channel", "orientation", "azimuth"];
+    let lower = lower(words);
+    let rest = KEYS.iter().find_map(|key| {
+        let rest = lower.strip_prefix(key)?.trim_start_matches(['.', ' ']);
+        rest.strip_prefix([':', '='])
+    })?;
+    rest.split([',', ';']).next().map(|value| value.trim().to_string())
+}
+
 /// The direction that words state: `component: UD`, a direction in capitals, `vertical acc`.
 pub(super) fn stated(words: &str) -> Option<Direction> {
+    let words = &dashes(words);
     let lower = words.to_lowercase();
-    let keyed = ["component", "comp", "direction", "dir", "channel", "orientation", "azimuth"]
-        .iter()
-        .find_map(|key| {
-            let rest = lower.strip_prefix(key)?.trim_start_matches(['.', ' ']);
-            let value = rest.strip_prefix([':', '='])?;
-            value.split([',', ';']).next().map(str::trim)
-        });
     let told = |word: &str| Some((Component::named(word)?, component::azimuth(word)));
-    if let Some(value) = keyed {
+    if let Some(value) = &keyed(words) {
+        // A channel may be counted.
+        if lower.starts_with("ch") && value.len() < 3 && number(value).is_some() {
+            return None;
+        }
         let channel = || Some((Component::of_channel(value)?, component::azimuth(value)));
         return told(value).or_else(channel);
     }
@@ -85,7 +96,48 @@ pub(super) fn azimuth_of_column(name: &str) -> Option<f64> {
         let counts = word.len() < 3 && number(word).is_some();
         component::azimuth(word).filter(|_| !counts)
     };
-    of(without_brackets(name).trim()).or_else(|| of(words::direction(name)))
+    let name = dashes(name);
+    let lone = || of(&lone_direction(&without_units(&name))?);
+    of(without_brackets(&name).trim()).or_else(|| of(words::direction(&name))).or_else(lone)
+}
+
+/// The azimuth of a component of which a line calls ways along the ground positive: of NS that is positive south 180 degrees.
+pub(super) fn azimuth_by_ways(own: Option<f64>, ways: &[f64]) -> Option<f64> {
+    let apart = |one: f64, other: f64| ((one - other).rem_euclid(360.0) - 180.0).abs();
+    match (own, ways) {
+        (Some(own), _) if ways.iter().any(|way| apart(own, *way) > 179.0) => Some(own),
+        (Some(own), _) => ways.iter().copied().find(|way| apart(own, *way) < 1.0).or(Some(own)),
+        (None, [way]) => Some(*way),
+        (None, _) => None,
+    }
+}
+
+/// The one word of a name that is a direction, where all besides are of a sign or a factor: `Z` of `Z*-1`, `Z_inv`, `-Z`.
+fn lone_direction(name: &str) -> Option<String> {
+    let mut found: Vec<String> = Vec::new();
+    let mut behind_word = false;
+    for (piece, touches) in pieces(name) {
+        let is_word = matches!(piece, Piece::Word(_));
+        match (piece, found.last_mut()) {
+            (Piece::Word(word), _) => found.push(word),
+            (Piece::Number(number), Some(word)) if touches && behind_word => {
+                word.push_str(&number.to_string());
+            }
+            _ => {}
+        }
+        behind_word = is_word;
+    }
+    let is_direction = |word: &str| Component::named(word).is_some();
+    let is_beside = |word: &str| {
+        let of_sign =
+            sign_words::words(word).iter().all(|(_, one)| *one != sign_words::Word::Other);
+        of_sign || is_acceleration(word) || BESIDE.contains(&word) || word == "x"
+    };
+    let mut directions = found.iter().filter(|word| is_direction(word));
+    let (first, second) = (directions.next().cloned(), directions.next());
+    first.filter(|_| {
+        second.is_none() && found.iter().all(|word| is_direction(word) || is_beside(word))
+    })
 }
 
 /// True of a name of which `down` is the only word beside those of an acceleration and of units.
@@ -100,9 +152,10 @@ fn is_down(name: &str) -> bool {
 
 /// The direction that a column's name tells: `NS (g)`, `acc-UD`, `IWT010.UD1`, `HNZ`, `Up-Down`, `Z (down)`.
 pub(super) fn of_column(name: &str) -> Option<Component> {
+    let name = &without_units(&dashes(name));
     let own = of_name(name);
     match polarity::stated(name) {
-        Some(Polarity::Way(way)) => Some(way),
+        Some(Polarity::Way(way)) if own != Some(Component::Horizontal) => Some(way),
         Some(Polarity::OfAll(way)) if own.is_some_and(Component::is_vertical) => Some(way),
         _ => own,
     }
@@ -135,12 +188,8 @@ fn of_name(name: &str) -> Option<Component> {
     // Behind a blank `down` may be the end of a sentence: `5 m down`.
     let apart = bare.contains([' ', ':']);
     let last = || told(last).filter(|one| !(apart && *one == Component::Down));
-    // `Z*-1` is Z.
-    let factor = || {
-        let mut pieces = bare.split(PRODUCT).map(str::trim).filter(|one| number(one).is_none());
-        pieces.next().filter(|_| bare.contains(PRODUCT)).and_then(told)
-    };
-    stated.or_else(|| told(bare)).or_else(last).or_else(factor)
+    let lone = || lone_direction(plain).and_then(|word| told(&word));
+    stated.or_else(|| told(bare)).or_else(last).or_else(lone)
 }
 
 #[cfg(test)]

@@ -3,10 +3,14 @@
 //! before them; after it several values may stand in a row. Other rows of three numbers and more are in `several`.
 
 mod directions;
+mod factors;
 mod named;
+mod pieces;
 mod polarity;
 mod rows;
 mod several;
+mod sign_words;
+mod signs;
 mod table;
 #[cfg(test)]
 mod tests;

@@ -132,15 +132,14 @@ pub(super) fn read(
     if !lone && named {
         raw.stated.component = None;
         told.forget_direction(line);
-        told.put_factor(line, channel.text);
     }
-    if named && channel.word.eq_ignore_ascii_case("d") {
-        match channel.component {
-            Some(_) => raw.notes.push(format!(
+    if named {
+        told.signs.by_name(line, channel.text, channel.component);
+        if channel.component.is_some() && channel.word.eq_ignore_ascii_case("d") {
+            raw.notes.push(format!(
                 "the column '{}' stands beside north and east: it is down",
                 shown(channel.text)
-            )),
-            None => told.put_unclear(line, channel.text),
+            ));
         }
     }
     raw.stated.component = channel.component.or(raw.stated.component);

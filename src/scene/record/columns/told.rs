@@ -4,7 +4,7 @@ use super::super::clock::Clock;
 use super::super::hints::RecordHints;
 use super::super::times::{self, Times};
 use super::super::{Component, DIGITS, Raw, RecordError, Step, Units, rounded};
-use super::polarity::{self, Polarity};
+use super::signs::Signs;
 use super::{directions, values, words};
 use crate::scene::shown::shown;
 
@@ -20,15 +20,10 @@ pub(super) struct Told {
     clock: Option<(usize, Result<Clock, String>)>,
     component: Option<(usize, Component)>,
     azimuth: Option<(usize, f64)>,
-    polarity: Option<(usize, Component)>,
-    /// The polarity is that of this component, not of all that a recorder has.
-    of_vertical: bool,
-    /// The first words of a sign that are not understood.
-    unclear: Option<(usize, String)>,
+    /// What is told of the sign and the size of the values.
+    pub signs: Signs,
     step: Option<(usize, f64)>,
     count: Option<(usize, usize)>,
-    /// Factors on the values, each with its line.
-    factors: Vec<(usize, f64)>,
     /// What comments state, in a sentence each.
     notes: Vec<String>,
     /// The step that is given beside the file, s.
@@ -47,7 +42,7 @@ pub(super) struct Timed {
 }
 
 /// Puts what a line states where nothing or the same was stated before.
-fn put<T: PartialEq>(
+pub(super) fn put<T: PartialEq>(
     place: &mut Option<(usize, T)>,
     at: usize,
     stated: Option<T>,
@@ -98,8 +93,7 @@ impl Told {
         {
             self.put_direction(at, Some((component, directions::azimuth_of_column(&name))))?;
         }
-        self.put_polarity(at, line)?;
-        self.put_factor(at, line);
+        self.signs.by_line(at, line)?;
         Ok(found)
     }
 
@@ -114,35 +108,11 @@ impl Told {
         Ok(())
     }
 
-    fn put_polarity(&mut self, at: usize, words: &str) -> Result<(), RecordError> {
-        let stated = polarity::stated(words);
-        match stated {
-            Some(Polarity::Way(way) | Polarity::OfAll(way)) => {
-                put(&mut self.polarity, at, Some(way), "a polarity")?;
-                self.of_vertical |= matches!(stated, Some(Polarity::Way(_)));
-            }
-            Some(Polarity::Unclear) => self.put_unclear(at, words),
-            // A lone D may be down, and may be a displacement.
-            None => {
-                let name = words::lone_column(words);
-                if name.is_some_and(|name| words::direction(&name).eq_ignore_ascii_case("d")) {
-                    self.put_unclear(at, words);
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Takes up words that may tell a direction, and do not do so clearly.
-    pub fn put_unclear(&mut self, at: usize, words: &str) {
-        self.unclear.get_or_insert_with(|| (at, shown(words)));
-    }
-
-    /// Leaves out what was told of a direction, and factors of the line that names the columns: of a file of several
-    /// columns, that may be another one's.
+    /// Leaves out what was told of a direction, and what the line that names the columns tells of a sign: of a file of
+    /// several columns, that may be another one's.
     pub fn forget_direction(&mut self, names: usize) {
         (self.component, self.azimuth) = (None, None);
-        self.factors.retain(|(at, _)| *at != names);
+        self.signs.forget(names);
     }
 
     /// Takes up a comment: what it states of the units, the step, the count and the direction.
@@ -167,14 +137,7 @@ impl Told {
             .then(|| directions::stated(words))
             .flatten();
         self.put_direction(at, direction)?;
-        self.put_polarity(at, words)?;
-        self.put_factor(at, words);
-        Ok(())
-    }
-
-    /// Takes up a factor on the values. It is said and not applied: nobody knows whether it was.
-    pub fn put_factor(&mut self, at: usize, words: &str) {
-        self.factors.extend(values::factor(words).map(|factor| (at, factor)));
+        self.signs.by_line(at, words)
     }
 
     fn put_units(&mut self, at: usize, units: Option<String>) -> Result<bool, RecordError> {
@@ -264,16 +227,10 @@ impl Told {
     /// # Errors
     /// Fewer samples than the count that is stated.
     pub fn complete(self, mut raw: Raw) -> Result<Raw, RecordError> {
-        let factor = |(at, factor): (usize, f64)| {
-            let hint = match factor < 0.0 {
-                true => {
-                    "; if a vertical is positive down as it stands here, write 'positive down' there"
-                }
-                false => "",
-            };
-            format!("line {at} states a factor of {factor}, which is not applied{hint}")
-        };
-        raw.notes.splice(0..0, self.notes.into_iter().chain(self.factors.into_iter().map(factor)));
+        raw.stated.component = raw.stated.component.or(self.component.map(|(_, one)| one));
+        raw.stated.azimuth = raw.stated.azimuth.or(self.azimuth.map(|(_, azimuth)| azimuth));
+        let signs = self.signs.apply(&mut raw, self.as_vertical);
+        raw.notes.splice(0..0, self.notes.into_iter().chain(signs));
         if let (Some((at, step)), None) = (self.step, &raw.step) {
             match self.given {
                 Some(given) if (given - step).abs() > OFF * given => raw
@@ -303,26 +260,6 @@ impl Told {
             }
         }
         raw.units = self.units;
-        let stated = &mut raw.stated;
-        stated.component = stated.component.or(self.component.map(|(_, one)| one));
-        stated.azimuth = stated.azimuth.or(self.azimuth.map(|(_, azimuth)| azimuth));
-        // A horizontal component has no such way, and that up is positive says nothing of which component it is.
-        match (self.polarity, stated.component) {
-            (_, Some(Component::Horizontal)) | (None, _) => {}
-            (Some((_, Component::Up)), None) => {}
-            // Words of all components of a recorder do not tell which one the file has.
-            (Some(_), None) if !self.of_vertical && !self.as_vertical => {}
-            (Some((_, way)), _) => stated.component = Some(way),
-        }
-        if let (Some((at, words)), None) = (&self.unclear, self.polarity)
-            && stated.component != Some(Component::Horizontal)
-        {
-            let way = if stated.component == Some(Component::Down) { "down" } else { "up" };
-            raw.notes.push(format!(
-                "line {at} speaks of a sign in words that are not understood ('{words}'): a vertical is taken as positive \
-                 {way}; write 'positive up' or 'positive down' there"
-            ));
-        }
         Ok(raw)
     }
 }

@@ -3,13 +3,19 @@
 use super::super::clock::Clock;
 use super::super::numbers::number;
 use super::super::{Component, Units};
-use super::polarity;
+use super::pieces::dashes;
+use super::{factors, polarity};
 
 /// Names of a column of times.
 pub(super) const TIMES: [&str; 7] = ["time", "times", "t", "zeit", "temps", "tiempo", "tempo"];
 
 /// What stands in the outermost brackets of a line.
 fn in_brackets(line: &str) -> Vec<&str> {
+    brackets(line).into_iter().map(|(_, text)| text).collect()
+}
+
+/// The same, each with the place where it begins.
+fn brackets(line: &str) -> Vec<(usize, &str)> {
     let (mut found, mut depth, mut from) = (Vec::new(), 0_usize, 0);
     for (at, c) in line.char_indices() {
         match c {
@@ -22,14 +28,14 @@ fn in_brackets(line: &str) -> Vec<&str> {
             ')' | ']' if depth > 0 => {
                 depth -= 1;
                 if depth == 0 {
-                    found.push(&line[from..at]);
+                    found.push((from, &line[from..at]));
                 }
             }
             _ => {}
         }
     }
     if depth > 0 {
-        found.push(&line[from..]);
+        found.push((from, &line[from..]));
     }
     found
 }
@@ -52,6 +58,26 @@ pub(super) fn without_brackets(line: &str) -> String {
     plain
 }
 
+/// A line without the brackets that hold a unit, of an acceleration, a length or a time; a word stands for one that ends
+/// what belongs together.
+pub(super) fn without_units(line: &str) -> String {
+    let mut plain = String::with_capacity(line.len());
+    let mut from = 0;
+    for (begins, text) in brackets(line).into_iter().filter(|(_, text)| is_unit(text)) {
+        let end = (begins + text.len() + 1).min(line.len());
+        let next = line[end..].trim_start().chars().next();
+        plain.push_str(&line[from..begins - 1]);
+        plain.push_str(if matches!(next, None | Some('(' | '[')) { " " } else { " unit " });
+        from = end;
+    }
+    plain + &line[from..]
+}
+
+/// True of a unit of a column.
+fn is_unit(text: &str) -> bool {
+    Units::are_meant(text) || is_length(text) || Clock::named(text).is_some()
+}
+
 pub(super) fn tokens(line: &str) -> impl Iterator<Item = &str> {
     let apart = |c: char| c.is_whitespace() || matches!(c, ',' | ';' | ':' | '=' | '"' | '|' | '_');
     line.split(apart).filter(|word| !word.is_empty())
@@ -71,6 +97,7 @@ pub(super) fn names_columns(words: &str) -> bool {
 /// The names of the columns in a line: between commas, semicolons or tabs; else between blanks, a bracket with the word
 /// before it.
 pub(super) fn columns(line: &str) -> Vec<String> {
+    let line = &dashes(line);
     let plain = |name: &str| name.trim().trim_matches('"').trim().to_string();
     if line.contains([',', ';', '\t']) {
         // A spreadsheet leaves separators at the end of a row.
@@ -117,12 +144,17 @@ pub(super) fn bracket(name: &str) -> Option<&str> {
     in_brackets(name).into_iter().rev().find(|text| !is_sign_or_direction(text))
 }
 
-/// True of what stands in a bracket and is no unit: `+`, `-1`, `positive down`, `UD`.
+/// True of what stands in a bracket and is no unit: `+`, `-1`, `positive down`, `UD`, `inverted`, `x1000`.
 fn is_sign_or_direction(text: &str) -> bool {
-    let is_unit = Units::are_meant(text) || is_length(text) || Clock::named(text).is_some();
-    let is_sign = || text.chars().all(|c| c.is_whitespace() || "+-\u{2212}/".contains(c));
-    let states = || polarity::stated(text).is_some() || Component::named(text).is_some();
-    !is_unit && (is_sign() || number(text).is_some() || states())
+    let states = || {
+        polarity::stated(text).is_some()
+            || polarity::is_left(text, None)
+            || !polarity::towards(text).is_empty()
+            || Component::named(text).is_some()
+            || factors::of_name(text).is_some()
+    };
+    let is_sign = || dashes(text).chars().all(|c| c.is_whitespace() || "+-/".contains(c));
+    !is_unit(text) && (is_sign() || number(text).is_some() || states())
 }
 
 /// The parts of a column's name, its brackets left out: `EW`, `acc` of `EW_acc (g)`.
@@ -199,11 +231,14 @@ pub(super) fn direction(name: &str) -> &str {
 pub(super) fn units(words: &str) -> Option<String> {
     let lower = words.to_lowercase();
     let is_time = |text: &str| Clock::named(text).is_some();
-    // Brackets may hold anything.
+    // Brackets may hold anything: beside a name of a place a number is a peak.
+    let names = || names_columns(words) || columns(words).iter().any(|name| is_channel(name));
     let bracket = in_brackets(words)
         .into_iter()
         .rev()
-        .find(|text| !is_time(text) && Units::are_meant(text))
+        .find(|text| {
+            !is_time(text) && Units::are_meant(text) && (!Units::has_factor(text) || names())
+        })
         .map(String::from);
     let within = || {
         let words = lower.get(lower.rfind(" in ")? + 4..)?.trim();
@@ -218,8 +253,7 @@ pub(super) fn units(words: &str) -> Option<String> {
     };
     bracket.or_else(|| after_units(words)).or_else(within).or_else(named).or_else(|| {
         // A row of units below one of names: `s;m/s2`.
-        let fields: Vec<&str> = tokens(words).collect();
-        match fields[..] {
+        match &columns(words)[..] {
             [time, unit] if is_time(time) && Units::are_meant(unit) => Some(unit.to_string()),
             _ => None,
         }
@@ -238,7 +272,13 @@ pub(super) fn after_units(words: &str) -> Option<String> {
         let fields: Vec<&str> = piece.split_whitespace().collect();
         (1..=fields.len().min(5)).rev().find_map(|count| {
             let first = fields[..count].join(" ");
-            let last = fields[fields.len() - count..].join(" ");
+            // A number before a unit is a factor.
+            let from = fields.len() - count;
+            let factor = from.checked_sub(1).filter(|at| number(fields[*at]).is_some());
+            let last = fields[from..].join(" ");
+            if let Some(at) = factor.filter(|_| Units::are_meant(&last)) {
+                return Some(fields[at..].join(" "));
+            }
             [first, last].into_iter().find(|words| Units::are_meant(words))
         })
     })
