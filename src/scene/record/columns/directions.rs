@@ -6,8 +6,9 @@ use super::super::numbers::number;
 use super::super::{Component, Units};
 use super::pieces::{Piece, dashes, lower, pieces};
 use super::polarity::{self, Polarity};
-use super::sign_words;
+
 use super::words::{self, TIMES, is_acceleration, tokens, without_brackets, without_units};
+use super::{factors, sign_words};
 
 /// Directions that mean nothing else where they stand in capitals.
 const DIRECTIONS: [&str; 8] = ["UD", "U-D", "NS", "N-S", "EW", "E-W", "NORTH-SOUTH", "EAST-WEST"];
@@ -127,7 +128,10 @@ fn lone_direction(name: &str) -> Option<String> {
         }
         behind_word = is_word;
     }
-    let is_direction = |word: &str| Component::named(word).is_some();
+    // Letters may be anything, unless a sign or a factor stands beside them.
+    let signed = polarity::is_left(name, None) || factors::of_name(name).is_some();
+    let is_direction =
+        |word: &str| Component::named(word).is_some() && (signed || word.len() > 1 || word == "z");
     let is_beside = |word: &str| {
         let of_sign =
             sign_words::words(word).iter().all(|(_, one)| *one != sign_words::Word::Other);

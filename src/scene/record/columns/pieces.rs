@@ -59,7 +59,8 @@ fn piece(chars: &[char], at: usize) -> (Piece, usize) {
         let end = run(at, char::is_alphabetic);
         return (Piece::Word(chars[at..end].iter().collect()), end);
     }
-    if is_digit(c) || c == '.' && is(at + 1, |c| c.is_ascii_digit()) {
+    let behind_word = at > 0 && is(at - 1, |c| c.is_alphabetic() || c == '.');
+    if is_digit(c) || c == '.' && !behind_word && is(at + 1, |c| c.is_ascii_digit()) {
         let mut end = run(at, |c| c.is_ascii_digit() || c == '.');
         let sign = usize::from(is(end + 1, |c| matches!(c, '+' | '-')));
         if chars.get(end) == Some(&'e') && is(end + 1 + sign, |c| c.is_ascii_digit()) {
@@ -148,6 +149,7 @@ mod tests {
         assert_eq!(of("1E-3*x")[0].0, Piece::Number(1e-3));
         assert_eq!(of("2x"), [(Piece::Number(2.0), false), (Piece::Word("x".into()), true)]);
         assert_eq!(of("N107E").len(), 3);
+        assert_eq!(of("acc.090")[2].0, Piece::Number(90.0));
         assert_eq!(of("1.2.3"), [(Piece::Other('.'), false)]);
         assert_eq!(of("a ** .5")[1..], [(Piece::Power, false), (Piece::Number(0.5), false)]);
     }

@@ -92,7 +92,8 @@ pub(super) fn is_left(name: &str, component: Option<Component>) -> bool {
     words.iter().any(|(_, one)| match *one {
         Word::Reversed => true,
         Word::Key(_) | Word::Minus => !is_known && !of_ground,
-        Word::Way(way) => !is_known && component != Some(way),
+        // What is not known to be down is taken as it would be up.
+        Word::Way(way) => !is_known && way != component.unwrap_or(Component::Up),
         _ => false,
     }) || words.iter().any(|(text, _)| text == "sign")
 }
