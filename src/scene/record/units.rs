@@ -42,6 +42,9 @@ const SPELLINGS: [(&str, &str); 20] = [
     ("mt/", "m/"),
 ];
 
+/// Longest text that may be a unit with a factor.
+const LONGEST: usize = 40;
+
 impl Units {
     /// m/s^2 in one of them.
     pub fn factor(self) -> f64 {
@@ -80,6 +83,14 @@ impl Units {
     /// number alone before it is a factor if it converts units; else it may be a peak, as of `0.35 g`.
     pub fn has_factor(text: &str) -> bool {
         let is_known = |text: &str| Units::named(text).is_some();
+        let may_be = text.contains(|c: char| c.is_numeric())
+            || text
+                .trim_start()
+                .to_lowercase()
+                .starts_with(['m', 'µ', 'μ', 'k', 'p', '%', 'h', 't']);
+        if text.len() > LONGEST || !may_be {
+            return false;
+        }
         text.char_indices().skip(1).any(|(at, _)| {
             let (one, other) = text.split_at(at);
             is_known(other) && (is_factor(one) || converts(one))

@@ -1,121 +1,39 @@
 //! Factors on the values that words above plain numbers state. They are said and not applied: a file does not tell whether
 //! its values have them already.
 
-use super::pieces::{Piece, pieces};
+use super::pieces::{Piece, listed, pieces};
 use super::words::is_acceleration;
 
 /// Words beside which a number is a factor, as they begin.
-const SCALING: [&str; 13] = [
-    "scal",
-    "factor",
-    "multipl",
-    "amplif",
-    "attenuat",
-    "magnif",
-    "divid",
-    "gain",
-    "times",
-    "increased",
-    "reduced",
-    "escala",
-    "skalier",
-];
+const SCALING: &str =
+    "scal factor multipl amplif attenuat magnif divid gain times increased reduced escala skalier";
 
 /// Words between one of those and its number.
-const BETWEEN: [&str; 25] = [
-    "factor",
-    "coefficient",
-    "constant",
-    "by",
-    "a",
-    "an",
-    "the",
-    "of",
-    "is",
-    "was",
-    "were",
-    "be",
-    "with",
-    "value",
-    "values",
-    "data",
-    "samples",
-    "acceleration",
-    "accelerations",
-    "acc",
-    "record",
-    "used",
-    "applied",
-    "all",
-    "about",
-];
+const BETWEEN: &str = "\
+    factor coefficient constant by a an the of is was were be with value values data samples acceleration \
+    accelerations acc record used applied all about";
 
 /// Words of a line whose number is another thing's.
-const OF_OTHERS: [&str; 25] = [
-    "richter",
-    "mercalli",
-    "mmi",
-    "magnitude",
-    "intensity",
-    "moment",
-    "damping",
-    "decimation",
-    "decimated",
-    "sampling",
-    "sampled",
-    "downsampled",
-    "resampled",
-    "upsampled",
-    "quality",
-    "safety",
-    "importance",
-    "participation",
-    "drawing",
-    "map",
-    "noise",
-    "q",
-    "probability",
-    "period",
-    "behaviour",
-];
+const OF_OTHERS: &str = "\
+    richter mercalli mmi magnitude intensity moment damping decimation decimated sampling sampled downsampled \
+    resampled upsampled quality safety importance participation drawing map noise q probability period behaviour";
 
 /// Words that a product beside them multiplies.
-const VALUES: [&str; 24] = [
-    "values",
-    "value",
-    "data",
-    "samples",
-    "sample",
-    "amplitude",
-    "amplitudes",
-    "record",
-    "a",
-    "ag",
-    "accel",
-    "ud",
-    "ns",
-    "ew",
-    "z",
-    "up",
-    "vertical",
-    "h",
-    "n",
-    "e",
-    "u",
-    "v",
-    "signal",
-    "counts",
-];
+const VALUES: &str = "\
+    values value data samples sample amplitude amplitudes record a ag accel ud ns ew z up vertical h n e u v \
+    signal counts";
 
 /// Words before a unit that stand for a factor.
-const PREFIXES: [&str; 8] =
-    ["milli", "micro", "kilo", "percent", "thousandth", "thousandths", "hundredth", "hundredths"];
+const PREFIXES: &str = "milli micro kilo percent thousandth thousandths hundredth hundredths";
 
 /// Words that are a factor by themselves.
-const WHOLE: [&str; 3] = ["doubled", "tripled", "halved"];
+const WHOLE: &str = "doubled tripled halved";
 
 /// Words behind which a number is a factor where a colon stands between.
-const STATED: [&str; 2] = ["calibration", "conversion"];
+const STATED: &str = "calibration conversion";
+
+/// Most pieces between a word and its number, and in a bracket about numbers.
+const FARTHEST: usize = 12;
 
 /// Greatest whole number behind an x that may count channels along x.
 const COUNTED: f64 = 9.0;
@@ -124,11 +42,11 @@ const COUNTED: f64 = 9.0;
 pub(super) fn stated(line: &str) -> Option<String> {
     let pieces = pieces(line);
     let words = || pieces.iter().filter_map(|(piece, _)| word(piece));
-    if words().any(|word| OF_OTHERS.contains(&word)) {
+    if words().any(|word| listed(OF_OTHERS, word)) {
         return None;
     }
     let negative = |factor: &String| factor.starts_with('-');
-    let whole = || words().find(|word| WHOLE.contains(word)).map(|word| format!("'{word}'"));
+    let whole = || words().find(|word| listed(WHOLE, word)).map(|word| format!("'{word}'"));
     keyed(&pieces)
         .or_else(|| product(&pieces, false))
         .or_else(whole)
@@ -139,7 +57,7 @@ pub(super) fn stated(line: &str) -> Option<String> {
 pub(super) fn of_name(name: &str) -> Option<String> {
     let pieces = pieces(name);
     let prefix =
-        || pieces.iter().filter_map(|(piece, _)| word(piece)).find(|word| PREFIXES.contains(word));
+        || pieces.iter().filter_map(|(piece, _)| word(piece)).find(|word| listed(PREFIXES, word));
     keyed(&pieces)
         .or_else(|| product(&pieces, true))
         .or_else(|| prefix().map(|word| format!("'{word}'")))
@@ -162,7 +80,11 @@ fn number(pieces: &[(Piece, bool)], at: usize) -> Option<(f64, usize)> {
     match (&pieces.get(at)?.0, pieces.get(at + 1).map(|(piece, _)| piece)) {
         (Piece::Number(value), _) => Some((*value, at + 1)),
         (Piece::Minus | Piece::Hyphen, Some(Piece::Number(value))) => Some((-value, at + 2)),
-        (Piece::Open, _) => number(pieces, at + 1),
+        (Piece::Open, Some(Piece::Number(value))) => Some((*value, at + 2)),
+        (Piece::Open, Some(Piece::Minus)) => match pieces.get(at + 2)?.0 {
+            Piece::Number(value) => Some((-value, at + 3)),
+            _ => None,
+        },
         _ => None,
     }
 }
@@ -171,21 +93,22 @@ fn number(pieces: &[(Piece, bool)], at: usize) -> Option<(f64, usize)> {
 fn keyed(pieces: &[(Piece, bool)]) -> Option<String> {
     let is_key = |piece: &Piece| {
         word(piece).is_some_and(|word| {
-            SCALING.iter().any(|begins| word.starts_with(begins)) || STATED.contains(&word)
+            SCALING.split(' ').any(|begins| word.starts_with(begins)) || listed(STATED, word)
         })
     };
     pieces.iter().enumerate().filter(|(_, (piece, _))| is_key(piece)).find_map(
         |(key, (piece, _))| {
             let passed = |piece: &Piece| match piece {
-                Piece::Word(word) => BETWEEN.contains(&word.as_str()) || is_key(piece),
+                Piece::Word(word) => listed(BETWEEN, word) || is_key(piece),
                 Piece::Other(c) => matches!(c, ':' | '=' | ','),
                 _ => false,
             };
             let rest = &pieces[key + 1..];
-            let from = key + 1 + rest.iter().take_while(|(piece, _)| passed(piece)).count();
+            let from =
+                key + 1 + rest.iter().take(FARTHEST).take_while(|(piece, _)| passed(piece)).count();
             let (value, end) = number(pieces, from)?;
             let stated = matches!(pieces[from - 1].0, Piece::Other(':' | '='));
-            if !stated && word(piece).is_some_and(|word| STATED.contains(&word)) {
+            if !stated && word(piece).is_some_and(|word| listed(STATED, word)) {
                 return None;
             }
             let of_ratio =
@@ -277,9 +200,7 @@ fn terms(pieces: &[(Piece, bool)], of_name: bool) -> Vec<Term> {
                 };
                 if is_sign { Term::Product } else { Term::Other }
             }
-            Piece::Word(word)
-                if of_name || VALUES.contains(&word.as_str()) || is_acceleration(word) =>
-            {
+            Piece::Word(word) if of_name || listed(VALUES, word) || is_acceleration(word) => {
                 Term::Values
             }
             _ => Term::Other,
@@ -295,7 +216,8 @@ fn is_count(number: f64) -> bool {
 
 /// The end of a bracket that holds numbers and their signs alone.
 fn end_of_numbers(pieces: &[(Piece, bool)], open: usize) -> Option<usize> {
-    let inside = pieces[open + 1..].iter().position(|(piece, _)| *piece == Piece::Close)?;
+    let inside =
+        pieces[open + 1..].iter().take(FARTHEST).position(|(piece, _)| *piece == Piece::Close)?;
     let is_part = |(piece, _): &(Piece, bool)| match piece {
         Piece::Number(_) | Piece::Minus | Piece::Product | Piece::Over | Piece::Power => true,
         piece => word(piece) == Some("x"),

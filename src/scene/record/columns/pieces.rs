@@ -18,9 +18,17 @@ pub(super) enum Piece {
     Other(char),
 }
 
+/// Longest part of a line that is read, in letters.
+const LONGEST: usize = 1000;
+
+/// True of a word in a list of words.
+pub(super) fn listed(list: &str, word: &str) -> bool {
+    list.split_ascii_whitespace().any(|one| one == word)
+}
+
 /// The pieces of a line, each with true where it touches the one before.
 pub(super) fn pieces(line: &str) -> Vec<(Piece, bool)> {
-    let chars: Vec<char> = lower(line).chars().collect();
+    let chars: Vec<char> = lower(line).chars().take(LONGEST).collect();
     let mut found = Vec::new();
     let (mut at, mut end) = (0, usize::MAX);
     while at < chars.len() {

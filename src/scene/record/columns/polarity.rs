@@ -1,7 +1,7 @@
 //! Which way a motion is positive, by the words above plain numbers.
 
 use super::super::Component;
-use super::pieces::dashes;
+use super::pieces::{dashes, listed};
 use super::sign_words::{Word, words};
 
 /// What words state of it.
@@ -15,49 +15,20 @@ pub(super) enum Polarity {
 }
 
 /// Words of a line whose way is not that of its accelerations now.
-const OF_OTHERS: [&str; 17] = [
-    "latitude",
-    "longitude",
-    "lat",
-    "lon",
-    "long",
-    "depth",
-    "depths",
-    "elevation",
-    "location",
-    "position",
-    "coordinate",
-    "coordinates",
-    "original",
-    "originally",
-    "was",
-    "were",
-    "rotated",
-];
+const OF_OTHERS: &str = "\
+    latitude longitude lat lon long depth depths elevation location position coordinate coordinates original \
+    originally was were rotated";
 
 /// Words beside `positive` that speak of a size.
-const SIZE: [&str; 7] = ["peak", "max", "min", "maximum", "minimum", "largest", "pga"];
+const SIZE: &str = "peak max min maximum minimum largest pga";
 
 /// Words beside which one of a reversal is that of the accelerations.
-const OF_SIGN: [&str; 14] = [
-    "sign",
-    "signs",
-    "sense",
-    "component",
-    "components",
-    "sensor",
-    "sensors",
-    "channel",
-    "channels",
-    "record",
-    "data",
-    "trace",
-    "acceleration",
-    "accelerations",
-];
+const OF_SIGN: &str = "\
+    sign signs sense component components sensor sensors channel channels record data trace acceleration \
+    accelerations";
 
 /// Words that are a reversal in the name of a column, or beside a vertical: a fault is reverse, and components are turned.
-const OF_NAMES: [&str; 6] = ["reverse", "rev", "opp", "inv", "turned", "changed"];
+const OF_NAMES: &str = "reverse rev opp inv turned changed";
 
 fn opposite(way: Component) -> Component {
     match way {
@@ -102,7 +73,7 @@ pub(super) fn is_left(name: &str, component: Option<Component>) -> bool {
 pub(super) fn towards(line: &str) -> Vec<f64> {
     let words = words(line);
     let mut ways = Vec::new();
-    if words.iter().any(|(text, _)| OF_OTHERS.contains(&text.as_str())) {
+    if words.iter().any(|(text, _)| listed(OF_OTHERS, text)) {
         return ways;
     }
     for part in words.split(|(_, one)| *one == Word::Other) {
@@ -141,14 +112,14 @@ fn way(line: &str, words: &[(String, Word)]) -> Option<Polarity> {
     let [way, others @ ..] = &ways[..] else {
         return unclear.then_some(Polarity::Unclear);
     };
-    let of_others = words.iter().any(|(text, _)| OF_OTHERS.contains(text));
+    let of_others = words.iter().any(|(text, _)| listed(OF_OTHERS, text));
     let answered = line.trim_end().strip_suffix('0').map(str::trim_end);
     let denied = answered.is_some_and(|line| line.ends_with([':', '=']))
         || matches!(words.last(), Some((_, Word::Not)));
     let agree = others.iter().all(|other| other == way);
     let of_all = words.iter().any(|(_, one)| one.is_horizontal());
     let reversed =
-        words.iter().any(|(text, one)| *one == Word::Reversed && !OF_NAMES.contains(text));
+        words.iter().any(|(text, one)| *one == Word::Reversed && !listed(OF_NAMES, text));
     Some(match agree && !of_others && !denied && !reversed {
         true if of_all => Polarity::OfAll(*way),
         true => Polarity::Way(*way),
@@ -231,7 +202,7 @@ fn pair(items: &[Word]) -> Option<Pair> {
 
 /// True of a line and its words that speak of a sign, of which a way may not be found.
 fn is_unclear(line: &str, words: &[(String, Word)]) -> bool {
-    let has = |of: &[&str]| words.iter().any(|(text, _)| of.contains(&text.as_str()));
+    let has = |of: &str| words.iter().any(|(text, _)| listed(of, text));
     let any = |is: fn(Word) -> bool| words.iter().any(|(_, kind)| is(*kind));
     let is_vertical = any(|kind| kind == Word::Vertical);
     let is_axis = is_vertical || any(|kind| kind == Word::Axis);
@@ -239,24 +210,23 @@ fn is_unclear(line: &str, words: &[(String, Word)]) -> bool {
     let denied =
         |at: usize| at > 0 && words[..at].iter().rev().take(2).any(|(_, one)| *one == Word::Not);
     let is_reversal = |(at, (text, one)): (usize, &(String, Word))| {
-        *one == Word::Reversed && !denied(at) && (is_vertical || !OF_NAMES.contains(&text.as_str()))
+        *one == Word::Reversed && !denied(at) && (is_vertical || !listed(OF_NAMES, text))
     };
     let turned = words.iter().enumerate().any(is_reversal);
     // `polarity: positive`, `sign: normal`.
     let spoken: Vec<(String, Word)> =
         words.iter().filter(|(_, one)| *one != Word::Filling).cloned().collect();
     let is_plain = |(text, one): &(String, Word)| {
-        matches!(one, Word::Key(true) | Word::Plus) || ["sign", "signs"].contains(&text.as_str())
+        matches!(one, Word::Key(true) | Word::Plus) || listed("sign signs", text)
     };
     let speaks = spoken.len() > 1;
-    let is_normal =
-        (has(&["normal", "standard"]) || speaks && spoken.iter().all(is_plain)) && !turned;
+    let is_normal = (has("normal standard") || speaks && spoken.iter().all(is_plain)) && !turned;
     let of_horizontal = |pair: &[(String, Word)]| {
         pair.iter().any(|(_, one)| matches!(one, Word::Key(_)))
             && pair.iter().any(|(_, one)| one.is_horizontal())
     };
     let is_ground = |pair: &[(String, Word)]| match pair {
-        [(_, Word::Points), (text, _)] => ["ground", "earth", "gravity"].contains(&text.as_str()),
+        [(_, Word::Points), (text, _)] => listed("ground earth gravity", text),
         [(one, _), (other, _)] => one == "upside" && other == "down",
         _ => false,
     };
@@ -266,12 +236,12 @@ fn is_unclear(line: &str, words: &[(String, Word)]) -> bool {
     let negative = any(|kind| matches!(kind, Word::Minus | Word::Key(false)));
     let tight = line.replace(' ', "");
     let of_one = ["=+1", "=-1", ":-1"].iter().any(|one| dashes(&tight).contains(one));
-    let of_sign = has(&["sign", "signs"]);
+    let of_sign = has("sign signs");
     let has_sign = positive || any(|kind| kind == Word::Plus) || negative || of_one || of_sign;
-    positive && !words.windows(2).any(of_horizontal) && !has(&SIZE) && !is_normal
-        || turned && (has(&OF_SIGN) || is_axis || !speaks)
+    positive && !words.windows(2).any(of_horizontal) && !has(SIZE) && !is_normal
+        || turned && (has(OF_SIGN) || is_axis || !speaks)
         || has_way && (has_sign || is_vertical)
-        || negative && (is_axis || of_sign || has(&["sense"]))
+        || negative && (is_axis || of_sign || has("sense"))
         || of_one && of_sign
         || spoken.windows(2).any(is_ground)
         || of_dip && tight.contains("90") && !tight.contains("-90")

@@ -1,7 +1,7 @@
 //! The words of a line that speak of a sign, or of what has one.
 
 use super::super::Component;
-use super::pieces::{Piece, pieces};
+use super::pieces::{Piece, listed, pieces};
 
 /// What a word of a line is to its sign.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,66 +29,18 @@ pub(super) enum Word {
     Other,
 }
 
-const FILLING: [&str; 24] = [
-    "is",
-    "are",
-    "axis",
-    "direction",
-    "dir",
-    "motion",
-    "motions",
-    "values",
-    "acceleration",
-    "accelerations",
-    "for",
-    "of",
-    "the",
-    "ve",
-    "means",
-    "sense",
-    "and",
-    "to",
-    "t",
-    "longer",
-    "it",
-    "toward",
-    "towards",
-    "into",
-];
+const FILLING: &str = "\
+    is are axis direction dir motion motions values acceleration accelerations for of the ve means sense and to t \
+    longer it toward towards into";
 
-const NOT: [&str; 7] = ["not", "no", "isn", "aren", "wasn", "never", "false"];
+const NOT: &str = "not no isn aren wasn never false";
 
 /// What is vertical, without its sign.
-const VERTICAL: [&str; 8] = ["vertical", "vert", "ver", "z", "ud", "hnz", "hlz", "bnz"];
+const VERTICAL: &str = "vertical vert ver z ud hnz hlz bnz";
 
-const REVERSED: [&str; 26] = [
-    "reversed",
-    "inverted",
-    "inverse",
-    "invert",
-    "inverts",
-    "flipped",
-    "flip",
-    "upside",
-    "opposite",
-    "mirrored",
-    "negated",
-    "swapped",
-    "backward",
-    "backwards",
-    "invertido",
-    "invertida",
-    "invertito",
-    "inversé",
-    "umgekehrt",
-    "inv",
-    "rev",
-    "reverse",
-    "opp",
-    "reversal",
-    "turned",
-    "changed",
-];
+const REVERSED: &str = "\
+    reversed inverted inverse invert inverts flipped flip upside opposite mirrored negated swapped backward \
+    backwards invertido invertida invertito inversé umgekehrt inv rev reverse opp reversal turned changed";
 
 fn word(word: &str) -> Word {
     let toward = |degrees: f64| Word::Toward(Some(degrees));
@@ -104,10 +56,10 @@ fn word(word: &str) -> Word {
         "west" | "westward" | "westwards" | "w" => toward(270.0),
         "right" | "left" | "forward" => Word::Toward(None),
         "ns" | "ew" | "radial" | "tangential" | "transverse" => Word::Axis,
-        _ if VERTICAL.contains(&word) => Word::Vertical,
-        _ if NOT.contains(&word) => Word::Not,
-        _ if FILLING.contains(&word) => Word::Filling,
-        _ if REVERSED.contains(&word) => Word::Reversed,
+        _ if listed(VERTICAL, word) => Word::Vertical,
+        _ if listed(NOT, word) => Word::Not,
+        _ if listed(FILLING, word) => Word::Filling,
+        _ if listed(REVERSED, word) => Word::Reversed,
         _ => Word::Other,
     }
 }
@@ -195,24 +147,11 @@ fn name_letters(words: &mut [(String, Word)]) {
 
 /// A system of axes that is called by their letters: `axes: NED`.
 fn name_system(words: &mut Vec<(String, Word)>) {
-    const BESIDE: [&str; 12] = [
-        "axes",
-        "axis",
-        "system",
-        "frame",
-        "components",
-        "component",
-        "channels",
-        "order",
-        "orientation",
-        "convention",
-        "directions",
-        "reference",
-    ];
+    const BESIDE: &str = "axes axis system frame components component channels order orientation convention directions reference";
     let alone = words.iter().all(|(text, one)| {
         text == "ned"
             || *one == Word::Filling
-            || BESIDE.contains(&text.as_str())
+            || listed(BESIDE, text)
             || text.starts_with("coordinate")
     });
     if alone && words.iter().any(|(text, _)| text == "ned") {
