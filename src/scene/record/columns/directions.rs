@@ -5,7 +5,8 @@ use super::super::component;
 use super::super::numbers::number;
 use super::super::{Component, Units};
 use super::pieces::{Piece, dashes, lower, pieces};
-use super::polarity::{self, Polarity};
+use super::polarity;
+use super::ways::Polarity;
 
 use super::words::{self, TIMES, is_acceleration, tokens, without_brackets, without_units};
 use super::{factors, sign_words};

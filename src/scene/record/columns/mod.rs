@@ -14,8 +14,11 @@ mod signs;
 mod table;
 #[cfg(test)]
 mod tests;
+mod timed;
 mod told;
+mod unit_words;
 mod values;
+mod ways;
 mod words;
 
 use std::borrow::Cow;
@@ -23,9 +26,9 @@ use std::borrow::Cow;
 use super::hints::RecordHints;
 use super::numbers::{free, number};
 use super::{Raw, RecordError, Stated};
-use polarity::Polarity;
 use rows::Rows;
 use told::Told;
+use ways::Polarity;
 
 /// Most lines of a heading.
 const HEADING: usize = 20;

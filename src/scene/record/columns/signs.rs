@@ -2,10 +2,11 @@
 //! say in words that are not understood is said, with the line.
 
 use super::super::{Component, Raw, RecordError};
-use super::polarity::{self, Polarity};
+use super::polarity;
 use super::sign_words::{self, Word};
 use super::told::put;
-use super::{directions, factors, words};
+use super::ways::Polarity;
+use super::{directions, factors, ways, words};
 use crate::scene::shown::shown;
 
 /// What is stated, each with its line.
@@ -84,7 +85,7 @@ impl Signs {
     }
 
     fn put_towards(&mut self, at: usize, words: &str) {
-        let ways = polarity::towards(words);
+        let ways = ways::towards(words);
         if !ways.is_empty() {
             self.towards.get_or_insert((at, ways));
         }

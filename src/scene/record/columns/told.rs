@@ -2,27 +2,24 @@
 
 use super::super::clock::Clock;
 use super::super::hints::RecordHints;
-use super::super::times::{self, Times};
-use super::super::{Component, DIGITS, Raw, RecordError, Step, Units, rounded};
+use super::super::{Component, Raw, RecordError, Step, Units};
 use super::signs::Signs;
-use super::{directions, values, words};
+use super::{directions, unit_words, values, words};
 use crate::scene::shown::shown;
 
-/// Longest time between samples that a column of times in s may have; above it the times are in another unit.
-const LONGEST: f64 = 0.25;
 /// Most of a step by which one of another unit may be off.
-const OFF: f64 = 1.0e-6;
+pub(super) const OFF: f64 = 1.0e-6;
 
 /// What is stated, each with its line.
 #[derive(Default)]
 pub(super) struct Told {
     units: Option<(usize, String)>,
-    clock: Option<(usize, Result<Clock, String>)>,
+    pub clock: Option<(usize, Result<Clock, String>)>,
     component: Option<(usize, Component)>,
     azimuth: Option<(usize, f64)>,
     /// What is told of the sign and the size of the values.
     pub signs: Signs,
-    step: Option<(usize, f64)>,
+    pub step: Option<(usize, f64)>,
     count: Option<(usize, usize)>,
     /// What comments state, in a sentence each.
     notes: Vec<String>,
@@ -30,15 +27,6 @@ pub(super) struct Told {
     given: Option<f64>,
     /// True where the file is given as a vertical.
     as_vertical: bool,
-}
-
-/// What a column of times tells.
-pub(super) struct Timed {
-    pub step: Step,
-    /// The time of the first sample, s, where the unit is known.
-    pub start: Option<f64>,
-    /// What has to be said of it.
-    pub note: Option<String>,
 }
 
 /// Puts what a line states where nothing or the same was stated before.
@@ -81,10 +69,10 @@ impl Told {
     /// A heading of velocities or displacements, and one that contradicts a line before.
     pub fn by_heading(&mut self, at: usize, line: &str) -> Result<bool, RecordError> {
         refuse_others(at, line)?;
-        let units = words::units(line);
+        let units = unit_words::units(line);
         let found = units.is_some();
         self.put_units(at, units)?;
-        put(&mut self.clock, at, words::clock(line), "a unit of the times")?;
+        put(&mut self.clock, at, unit_words::clock(line), "a unit of the times")?;
         self.put_numbers(at, line)?;
         self.put_direction(at, directions::stated(line))?;
         if let Some(name) = words::lone_column(line)
@@ -124,11 +112,12 @@ impl Told {
         if of_columns || words.to_lowercase().contains("response spectr") {
             refuse_others(at, words)?;
         }
-        let units = if of_columns { words::units(words) } else { words::after_units(words) };
+        let units =
+            if of_columns { unit_words::units(words) } else { unit_words::after_units(words) };
         if let (Some(units), true) = (units.clone(), self.put_units(at, units)?) {
             self.notes.push(format!("line {at} states units of '{}'", shown(&units)));
         }
-        if of_columns && let Some(Ok(clock)) = words::clock(words) {
+        if of_columns && let Some(Ok(clock)) = unit_words::clock(words) {
             put(&mut self.clock, at, Some(Ok(clock)), "a unit of the times")?;
         }
         self.put_numbers(at, words)?;
@@ -164,62 +153,6 @@ impl Told {
         }
         put(&mut self.count, at, values::count(words), "a count of samples")?;
         Ok(())
-    }
-
-    /// What a column of times tells. Its step is the one that is given, or stated in words or in a row, where the times
-    /// agree with it to their digits.
-    ///
-    /// # Errors
-    /// Uneven times, times of a unit that is not known, and a step that the times contradict.
-    pub fn step_of(
-        &self,
-        times: &Times,
-        given: Option<f64>,
-        row: Option<f64>,
-    ) -> Result<Timed, RecordError> {
-        let second = Clock::default();
-        let begins =
-            |clock: &Clock| times.first().map(|first| rounded(first * clock.seconds, DIGITS));
-        let (at, clock) = match &self.clock {
-            None => (0, None),
-            Some((at, Ok(clock))) => (*at, Some(clock)),
-            Some((at, Err(word))) => {
-                let word = shown(word);
-                let Some(given) = given else {
-                    let problem = format!(
-                        "times in '{word}' are not read; write them in s, or give `dt` in their place"
-                    );
-                    return Err(RecordError::line(*at, problem));
-                };
-                // Whatever they are in, they are evenly apart.
-                times::step(times, None, &second)?;
-                let note =
-                    format!("times in '{word}' are not read: the step is {given} s, as given");
-                return Ok(Timed { step: Step::exact(given), start: None, note: Some(note) });
-            }
-        };
-        let stated = self.step.map(|(_, step)| step);
-        let found = times::step(times, given.or(stated).or(row), clock.unwrap_or(&second))?;
-        if let (Some((at, stated)), None) = (self.step, given)
-            && (stated - found.seconds).abs() > found.within
-        {
-            let problem = format!(
-                "a step of {stated} s, and the times have {} s; correct one, or give `dt`",
-                found.seconds
-            );
-            return Err(RecordError::line(at, problem));
-        }
-        if let Some(clock) = clock.filter(|clock| clock.seconds != 1.0) {
-            let note = format!("the times are in {} by line {at}", clock.word);
-            return Ok(Timed { step: found, start: begins(clock), note: Some(note) });
-        }
-        match given {
-            Some(given) if clock.is_none() && found.seconds > LONGEST => {
-                let note = Some(other_unit(found, given)?);
-                Ok(Timed { step: Step::exact(given), start: None, note })
-            }
-            _ => Ok(Timed { step: found, start: begins(&second), note: None }),
-        }
     }
 
     /// The record with the description of it.
@@ -280,23 +213,4 @@ fn refuse_others(at: usize, words: &str) -> Result<(), RecordError> {
         return Err(RecordError::line(at, problem));
     }
     Ok(())
-}
-
-/// What a first column in no stated unit is by the step that is given: times in ms or µs, or a count.
-fn other_unit(found: Step, given: f64) -> Result<String, RecordError> {
-    let apart = found.seconds;
-    let is = |factor: f64| (apart - factor * given).abs() <= OFF * apart + found.within;
-    let what = if is(1.0e3) {
-        "is in ms by the step that is given"
-    } else if is(1.0e6) {
-        "is in µs by the step that is given"
-    } else if apart == 1.0 {
-        "counts samples: the step is the one that is given"
-    } else {
-        return Err(RecordError::whole(format!(
-            "steps of {apart} in the first column are `dt` in neither s, ms nor µs; give the right `dt`, or name their unit \
-             in a heading such as time (ms), acc (g)"
-        )));
-    };
-    Ok(format!("the first column {what}, {given} s"))
 }
