@@ -4,11 +4,11 @@ use super::super::clock::Clock;
 use super::super::component;
 use super::super::numbers::number;
 use super::super::{Component, Units};
-use super::pieces::{Piece, dashes, lower, pieces};
+use super::pieces::{Piece, dashes, is_acceleration, lower, pieces};
 use super::polarity;
 use super::ways::Polarity;
 
-use super::words::{self, TIMES, is_acceleration, tokens, without_brackets, without_units};
+use super::words::{self, TIMES, tokens, without_brackets, without_units};
 use super::{factors, sign_words};
 
 /// Directions that mean nothing else where they stand in capitals.

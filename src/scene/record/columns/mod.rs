@@ -4,9 +4,11 @@
 
 mod directions;
 mod factors;
+mod meaning;
 mod named;
 mod pieces;
 mod polarity;
+mod products;
 mod rows;
 mod several;
 mod sign_words;

@@ -26,6 +26,11 @@ pub(super) fn listed(list: &str, word: &str) -> bool {
     list.split_ascii_whitespace().any(|one| one == word)
 }
 
+/// True of a word of an acceleration.
+pub(super) fn is_acceleration(word: &str) -> bool {
+    ["acc", "beschl", "acel", "accél"].iter().any(|begins| word.starts_with(begins))
+}
+
 /// The pieces of a line, each with true where it touches the one before.
 pub(super) fn pieces(line: &str) -> Vec<(Piece, bool)> {
     let chars: Vec<char> = lower(line).chars().take(LONGEST).collect();

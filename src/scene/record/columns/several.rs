@@ -8,7 +8,7 @@ use super::super::{Component, Raw, RecordError, Units};
 use super::named::{channels, is_headed, names, units_below};
 use super::table::Table;
 use super::told::Told;
-use super::{directions, words};
+use super::{directions, meaning};
 use crate::scene::shown::shown;
 
 /// Fewest values of a row that runs on: three may be the components of a motion.
@@ -126,7 +126,7 @@ pub(super) fn read(
         let (line, units) = units_below(text, line, table.width).filter(|_| named)?;
         Some((line, units.get(column)?.clone()))
     };
-    let own = words::bracket(channel.text).map(|words| (line, words.to_string())).or_else(below);
+    let own = meaning::bracket(channel.text).map(|words| (line, words.to_string())).or_else(below);
     raw.stated.azimuth = directions::azimuth_of_column(channel.text).filter(|_| named);
     // What is told of the whole file, its title's last word too, may be of another column.
     if !lone && named {

@@ -4,9 +4,8 @@
 use super::super::{Component, Raw, RecordError};
 use super::polarity;
 use super::sign_words::{self, Word};
-use super::told::put;
 use super::ways::Polarity;
-use super::{directions, factors, ways, words};
+use super::{directions, factors, meaning, ways, words};
 use crate::scene::shown::shown;
 
 /// What is stated, each with its line.
@@ -28,6 +27,26 @@ struct Unclear {
     words: String,
     /// They speak of a vertical.
     of_vertical: bool,
+}
+
+/// Puts what a line states where nothing or the same was stated before.
+pub(super) fn put<T: PartialEq>(
+    place: &mut Option<(usize, T)>,
+    at: usize,
+    stated: Option<T>,
+    what: &str,
+) -> Result<bool, RecordError> {
+    let Some(stated) = stated else { return Ok(false) };
+    match place {
+        None => {
+            *place = Some((at, stated));
+            Ok(true)
+        }
+        Some((_, before)) if *before == stated => Ok(false),
+        Some((before, _)) => {
+            Err(RecordError::line(at, format!("{what} other than in line {before}; correct one")))
+        }
+    }
 }
 
 impl Signs {
@@ -52,7 +71,7 @@ impl Signs {
         }
         self.put_towards(at, &plain);
         self.put_factor(at, factors::stated(&plain));
-        if let Some(name) = words::lone_column(line) {
+        if let Some(name) = meaning::lone_column(line) {
             self.by_name(at, &name, directions::of_column(&name));
         }
         Ok(())

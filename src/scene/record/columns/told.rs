@@ -3,8 +3,8 @@
 use super::super::clock::Clock;
 use super::super::hints::RecordHints;
 use super::super::{Component, Raw, RecordError, Step, Units};
-use super::signs::Signs;
-use super::{directions, unit_words, values, words};
+use super::signs::{Signs, put};
+use super::{directions, meaning, unit_words, values, words};
 use crate::scene::shown::shown;
 
 /// Most of a step by which one of another unit may be off.
@@ -27,26 +27,6 @@ pub(super) struct Told {
     given: Option<f64>,
     /// True where the file is given as a vertical.
     as_vertical: bool,
-}
-
-/// Puts what a line states where nothing or the same was stated before.
-pub(super) fn put<T: PartialEq>(
-    place: &mut Option<(usize, T)>,
-    at: usize,
-    stated: Option<T>,
-    what: &str,
-) -> Result<bool, RecordError> {
-    let Some(stated) = stated else { return Ok(false) };
-    match place {
-        None => {
-            *place = Some((at, stated));
-            Ok(true)
-        }
-        Some((_, before)) if *before == stated => Ok(false),
-        Some((before, _)) => {
-            Err(RecordError::line(at, format!("{what} other than in line {before}; correct one")))
-        }
-    }
 }
 
 impl Told {
@@ -75,7 +55,7 @@ impl Told {
         put(&mut self.clock, at, unit_words::clock(line), "a unit of the times")?;
         self.put_numbers(at, line)?;
         self.put_direction(at, directions::stated(line))?;
-        if let Some(name) = words::lone_column(line)
+        if let Some(name) = meaning::lone_column(line)
             && let Some(component) = directions::of_column(&name)
             && self.component.is_none()
         {
@@ -202,7 +182,7 @@ fn refuse_others(at: usize, words: &str) -> Result<(), RecordError> {
     let lower = words.to_lowercase();
     let names = |of: &[&str]| of.iter().any(|word| lower.contains(word));
     let is_acceleration = names(&["acc", "beschl", "acel"]);
-    if !is_acceleration && (names(&["veloc", "displac"]) || words::are_integrals(words)) {
+    if !is_acceleration && (names(&["veloc", "displac"]) || meaning::are_integrals(words)) {
         let problem = "this is no acceleration by its heading; give the file of accelerations";
         return Err(RecordError::line(at, problem));
     }

@@ -1,10 +1,9 @@
 //! The names of columns in the words above plain numbers, and what they say that a column is.
 
+use super::super::Units;
 use super::super::clock::Clock;
 use super::super::numbers::number;
-use super::super::{Component, Units};
-use super::pieces::dashes;
-use super::{factors, polarity, ways};
+use super::pieces::{dashes, is_acceleration};
 
 /// Names of a column of times.
 pub(super) const TIMES: [&str; 7] = ["time", "times", "t", "zeit", "temps", "tiempo", "tempo"];
@@ -74,17 +73,13 @@ pub(super) fn without_units(line: &str) -> String {
 }
 
 /// True of a unit of a column.
-fn is_unit(text: &str) -> bool {
+pub(super) fn is_unit(text: &str) -> bool {
     Units::are_meant(text) || is_length(text) || Clock::named(text).is_some()
 }
 
 pub(super) fn tokens(line: &str) -> impl Iterator<Item = &str> {
     let apart = |c: char| c.is_whitespace() || matches!(c, ',' | ';' | ':' | '=' | '"' | '|' | '_');
     line.split(apart).filter(|word| !word.is_empty())
-}
-
-pub(super) fn is_acceleration(word: &str) -> bool {
-    ["acc", "beschl", "acel", "accél"].iter().any(|begins| word.starts_with(begins))
 }
 
 /// True of names of columns: of a time or an acceleration, without a number beside them.
@@ -125,40 +120,8 @@ pub(super) fn columns(line: &str) -> Vec<String> {
     names
 }
 
-/// The name of the one column of values in a line that names it, beside a column of times or alone with its units:
-/// `Time (s), NS (g)`, `NS (g)`.
-pub(super) fn lone_column(line: &str) -> Option<String> {
-    let mut names = columns(line);
-    let is_time = |name: &String| parts(name).first().is_some_and(|part| TIMES.contains(&&**part));
-    let has_units = |name: &String| bracket(name).is_some_and(Units::are_meant);
-    let is_one = match &names[..] {
-        [time, _] => is_time(time),
-        [name] => has_units(name),
-        _ => false,
-    };
-    names.pop().filter(|_| is_one)
-}
-
-/// What stands in the last bracket of a name that may be a unit: `g` of `UD (g) (+)`.
-pub(super) fn bracket(name: &str) -> Option<&str> {
-    in_brackets(name).into_iter().rev().find(|text| !is_sign_or_direction(text))
-}
-
-/// True of what stands in a bracket and is no unit: `+`, `-1`, `positive down`, `UD`, `inverted`, `x1000`.
-fn is_sign_or_direction(text: &str) -> bool {
-    let states = || {
-        polarity::stated(text).is_some()
-            || polarity::is_left(text, None)
-            || !ways::towards(text).is_empty()
-            || Component::named(text).is_some()
-            || factors::of_name(text).is_some()
-    };
-    let is_sign = || dashes(text).chars().all(|c| c.is_whitespace() || "+-/".contains(c));
-    !is_unit(text) && (is_sign() || number(text).is_some() || states())
-}
-
 /// The parts of a column's name, its brackets left out: `EW`, `acc` of `EW_acc (g)`.
-fn parts(name: &str) -> Vec<String> {
+pub(super) fn parts(name: &str) -> Vec<String> {
     let plain = without_brackets(name).to_lowercase();
     let apart = |c: char| c.is_whitespace() || matches!(c, '_' | '.' | '-' | '/' | ':');
     plain.split(apart).filter(|part| !part.is_empty()).map(String::from).collect()
@@ -186,39 +149,6 @@ pub(super) fn says_integral(name: &str) -> bool {
 pub(super) fn is_length(text: &str) -> bool {
     let units = ["m", "cm", "mm", "in", "m/s", "cm/s", "mm/s", "in/s"];
     units.contains(&&*text.trim().to_lowercase())
-}
-
-/// True of names of columns of which all but the times are velocities, displacements or spectra, by their words or by
-/// their units.
-pub(super) fn are_integrals(line: &str) -> bool {
-    let names = columns(line);
-    let measured = |name: &str| bracket(name).is_some_and(is_length);
-    if let Some(name) = lone_column(line) {
-        return says_integral(&name) || measured(&name);
-    }
-    if let [name] = &names[..] {
-        // A word alone may be a place.
-        let is_name = line.contains(['(', '[', '_']);
-        let directed = || super::directions::of_column(name).is_some();
-        return is_name && (says_integral(name) || measured(name) && directed());
-    }
-    let is_acceleration = names.iter().any(|name| says_acceleration(name));
-    if !is_acceleration
-        && names.iter().any(|name| says_integral(name))
-        && names.iter().any(|name| measured(name))
-    {
-        return in_brackets(line).iter().all(|text| Units::named(text).is_none());
-    }
-    names.len() > 1
-        && names.len() <= 12
-        && names.iter().any(|name| says_integral(name))
-        && names.iter().all(|name| says_integral(name) || TIMES.contains(&&*parts(name).join(" ")))
-}
-
-/// True of a column's name that is an acceleration's or a direction's, and nothing besides.
-pub(super) fn is_channel(name: &str) -> bool {
-    let other = says_integral(name) || TIMES.contains(&&*name.trim().to_lowercase());
-    !other && (says_acceleration(name) || super::directions::of_column(name).is_some())
 }
 
 /// The word of a name that tells its direction: the last one before its bracket, `NS` of `acc_NS (g)`.
