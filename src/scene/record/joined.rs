@@ -48,8 +48,7 @@ fn questioned(
             && !channels.iter().any(clear)
         {
             let problem = format!(
-                "no channel of '{v}' is clearly vertical; choose one of its {} by `vertical_channel`",
-                channels.len()
+                "no channel of '{v}' is clearly vertical; give `vertical_channel`, a number from 1 on or a direction"
             );
             return asked("vertical", problem);
         }
