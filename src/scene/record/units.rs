@@ -75,7 +75,10 @@ impl Units {
             || plain.ends_with("/s")
             || plain.ends_with("s2")
             || plain.ends_with("s-2")
-            || is_word(&["mg", "%g", "mgal", "milli-g", "millig", "counts", "count", "v", "mv"])
+            || is_word(&[
+                "mg", "m-g", "%g", "%-g", "g%", "mgal", "kgal", "milli-g", "millig", "counts",
+                "count", "v", "mv",
+            ])
             || Units::has_factor(text)
     }
 
@@ -196,6 +199,7 @@ mod tests {
             "in/s/s",
             "mm/s^2",
             "1e-3 g",
+            "0.001 g",
             "10^-3 g",
             "10\u{207b}³ g",
             "10-3 g",

@@ -5,8 +5,8 @@ use super::pieces::{Piece, listed, pieces};
 use super::products::{FARTHEST, number, product, word};
 
 /// Words beside which a number is a factor, as they begin.
-const SCALING: &str =
-    "scal factor multipl amplif attenuat magnif divid gain times increased reduced escala skalier";
+const SCALING: &str = "\
+    scal factor multipl amplif attenuat magnif divid normali gain times increased reduced escala skalier";
 
 /// Words between one of those and its number.
 const BETWEEN: &str = "\
@@ -24,8 +24,9 @@ const PREFIXES: &str = "milli micro kilo percent thousandth thousandths hundredt
 /// Words that are a factor by themselves.
 const WHOLE: &str = "doubled tripled halved";
 
-/// Words behind which a number is a factor where a colon stands between.
-const STATED: &str = "calibration conversion";
+/// Whole words of the same kind, and those beside which only a colon makes a number a factor.
+const SHORT: &str = "div mult";
+const STATED: &str = "calibration conversion sf";
 
 /// The factor in a line: `scale factor: 0.001`, `multiplied by 9.81`, `Z*-1`, `values x 1000`, `(x1000)`.
 pub(super) fn stated(line: &str) -> Option<String> {
@@ -54,20 +55,22 @@ pub(super) fn of_name(name: &str) -> Option<String> {
 }
 
 fn is_one(factor: &str) -> bool {
-    ["1", "1/1"].contains(&factor)
+    ["1", "1/1", "100 %"].contains(&factor)
 }
 
 /// The factor behind a word of scaling, or before `times` and `x` behind one.
 fn keyed(pieces: &[(Piece, bool)]) -> Option<String> {
     let is_key = |piece: &Piece| {
         word(piece).is_some_and(|word| {
-            SCALING.split(' ').any(|begins| word.starts_with(begins)) || listed(STATED, word)
+            SCALING.split_ascii_whitespace().any(|begins| word.starts_with(begins))
+                || listed(SHORT, word)
+                || listed(STATED, word)
         })
     };
     pieces.iter().enumerate().filter(|(_, (piece, _))| is_key(piece)).find_map(
         |(key, (piece, _))| {
             let passed = |piece: &Piece| match piece {
-                Piece::Word(word) => listed(BETWEEN, word) || is_key(piece),
+                Piece::Word(word) => listed(BETWEEN, word) || is_key(piece) || word == "to",
                 Piece::Other(c) => matches!(c, ':' | '=' | ','),
                 _ => false,
             };
@@ -79,10 +82,18 @@ fn keyed(pieces: &[(Piece, bool)]) -> Option<String> {
             if !stated && word(piece).is_some_and(|word| listed(STATED, word)) {
                 return None;
             }
-            let of_ratio =
-                matches!(pieces.get(end), Some((Piece::Other(':' | '%') | Piece::Hyphen, _)));
-            let divided = word(piece).is_some_and(|word| word.starts_with("divid"));
-            (!of_ratio).then(|| if divided { format!("1/{value}") } else { value.to_string() })
+            let full = key > 0 && word(&pieces[key - 1].0) == Some("full");
+            // What is scaled to a peak has been scaled.
+            let to = pieces[key..from].iter().any(|(piece, _)| word(piece) == Some("to"));
+            let divided = word(piece).is_some_and(|word| word.starts_with("div"));
+            match pieces.get(end) {
+                _ if full => None,
+                Some((Piece::Other('%'), _)) => Some(format!("{value} %")),
+                Some((Piece::Other(':') | Piece::Hyphen, _)) => None,
+                _ if to => None,
+                _ if divided => Some(format!("1/{value}")),
+                _ => Some(value.to_string()),
+            }
         },
     )
 }
@@ -114,11 +125,15 @@ mod tests {
             ("values (x 1000)", "1000"),
             ("conversion: 0.001", "0.001"),
             ("amplitudes doubled", "'doubled'"),
+            ("SF = 1.5", "1.5"),
+            ("mult: 2", "2"),
+            ("scaled to 50%", "50 %"),
         ] {
             assert_eq!(stated(line).as_deref(), Some(factor), "{line}");
         }
         for line in [
             "scale factor = 1.0",
+            "full scale: 2 g",
             "again 3",
             "m/s**2",
             "m*s**-2",

@@ -53,11 +53,12 @@ pub(super) fn lower(line: &str) -> String {
     dashes(line).to_lowercase()
 }
 
-/// A line with the dashes of word processors as those of a keyboard.
+/// A line with the signs of word processors as those of a keyboard: dashes, pluses, arrows.
 pub(super) fn dashes(line: &str) -> String {
     const LONG: [char; 7] =
         ['\u{2010}', '\u{2011}', '\u{2012}', '\u{2013}', '\u{2014}', '\u{2212}', '\u{ff0d}'];
-    line.replace(LONG, "-").replace(['\u{ff0b}', '\u{fe62}'], "+")
+    let plain = line.replace(LONG, "-").replace(['\u{ff0b}', '\u{fe62}'], "+");
+    plain.replace('\u{2193}', " down ").replace('\u{2191}', " up ")
 }
 
 /// The piece that begins at a place, and the place behind it.

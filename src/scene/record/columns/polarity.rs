@@ -85,14 +85,16 @@ fn is_unclear(line: &str, words: &[(String, Word)]) -> bool {
     let positive = any(|kind| kind == Word::Key(true));
     let negative = any(|kind| matches!(kind, Word::Minus | Word::Key(false)));
     let tight = line.replace(' ', "");
-    let of_one = ["=+1", "=-1", ":-1"].iter().any(|one| dashes(&tight).contains(one));
+    let tight = dashes(&tight);
+    let of_minus_one = ["=-1", ":-1"].iter().any(|one| tight.contains(one));
+    let of_one = of_minus_one || tight.contains("=+1");
     let of_sign = has("sign signs");
     let has_sign = positive || any(|kind| kind == Word::Plus) || negative || of_one || of_sign;
     positive && !words.windows(2).any(of_horizontal) && !has(SIZE) && !is_normal
         || turned && (has(OF_SIGN) || is_axis || !speaks)
         || has_way && (has_sign || is_vertical)
         || negative && (is_axis || of_sign || has("sense"))
-        || of_one && of_sign
+        || of_sign && of_minus_one
         || spoken.windows(2).any(is_ground)
         || of_dip && tight.contains("90") && !tight.contains("-90")
 }

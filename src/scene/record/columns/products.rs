@@ -73,6 +73,10 @@ fn terms(pieces: &[(Piece, bool)], of_name: bool) -> Vec<Term> {
             Piece::Product => Term::Product,
             Piece::Over => Term::Over,
             Piece::Power => Term::Power,
+            Piece::Other('_') => {
+                at += 1;
+                continue;
+            }
             Piece::Open if let Some(end) = end_of_numbers(pieces, at) => {
                 (numbers_to, at) = (end, at + 1);
                 continue;

@@ -147,7 +147,8 @@ fn name_letters(words: &mut [(String, Word)]) {
 
 /// A system of axes that is called by their letters: `axes: NED`.
 fn name_system(words: &mut Vec<(String, Word)>) {
-    const BESIDE: &str = "axes axis system frame components component channels order orientation convention directions reference";
+    const BESIDE: &str = "\
+        channel axes axis system frame components component channels order orientation convention directions reference";
     let alone = words.iter().all(|(text, one)| {
         text == "ned"
             || *one == Word::Filling

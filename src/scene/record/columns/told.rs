@@ -93,7 +93,7 @@ impl Told {
             refuse_others(at, words)?;
         }
         let units =
-            if of_columns { unit_words::units(words) } else { unit_words::after_units(words) };
+            if of_columns { unit_words::units(words) } else { unit_words::of_comment(words) };
         if let (Some(units), true) = (units.clone(), self.put_units(at, units)?) {
             self.notes.push(format!("line {at} states units of '{}'", shown(&units)));
         }

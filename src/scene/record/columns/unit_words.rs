@@ -20,10 +20,7 @@ pub(super) fn units(words: &str) -> Option<String> {
             !is_time(text) && Units::are_meant(text) && (!Units::has_factor(text) || names())
         })
         .map(String::from);
-    let within = || {
-        let words = lower.get(lower.rfind(" in ")? + 4..)?.trim();
-        Units::are_meant(words).then(|| words.to_string())
-    };
+    let within = || within(&lower).filter(|words| Units::are_meant(words)).map(String::from);
     // In a name of a column: `acc_gal`.
     let named = || {
         lower.split([' ', ',', ';', '\t', '"']).find_map(|name| {
@@ -40,27 +37,57 @@ pub(super) fn units(words: &str) -> Option<String> {
     })
 }
 
+/// What stands behind the last `in` of a line in lower case.
+fn within(lower: &str) -> Option<&str> {
+    Some(lower.get(lower.rfind(" in ")? + 4..)?.trim())
+}
+
+/// The units of a comment that names no columns: behind their key, or with a factor behind `in`.
+pub(super) fn of_comment(words: &str) -> Option<String> {
+    let lower = words.to_lowercase();
+    let with_factor = || within(&lower).filter(|words| Units::has_factor(words)).map(String::from);
+    after_units(words).or_else(with_factor)
+}
+
 /// The words of the units behind a key: `Units: g, dt = 0.01`.
-pub(super) fn after_units(words: &str) -> Option<String> {
+fn after_units(words: &str) -> Option<String> {
     let lower = words.to_lowercase();
     let at = ["units:", "units =", "units=", "unit:", "unit =", "unit=", "units are ", "units "]
         .iter()
         .find_map(|key| Some(lower.find(key)? + key.len()))?;
     // Lower case may be longer.
     let rest = if lower.len() == words.len() { words.get(at..)? } else { lower.get(at..)? };
-    rest.split([',', ';', '|']).find_map(|piece| {
-        let fields: Vec<&str> = piece.split_whitespace().collect();
-        (1..=fields.len().min(5)).rev().find_map(|count| {
-            let first = fields[..count].join(" ");
-            // A number before a unit is a factor.
-            let from = fields.len() - count;
-            let factor = from.checked_sub(1).filter(|at| number(fields[*at]).is_some());
-            let last = fields[from..].join(" ");
-            if let Some(at) = factor.filter(|_| Units::are_meant(&last)) {
-                return Some(fields[at..].join(" "));
-            }
-            [first, last].into_iter().find(|words| Units::are_meant(words))
-        })
+    let mut pieces = rest.split([',', ';', '|']).peekable();
+    while let Some(piece) = pieces.next() {
+        let unit = of_piece(piece);
+        // A product may stand behind a comma: `g, x 1000`.
+        let product = pieces.peek().map(|next| next.trim()).filter(|next| {
+            let number = next.trim_start_matches(['x', '*', '\u{d7}']);
+            number.len() < next.len()
+                && number.trim_start().starts_with(|c: char| c.is_ascii_digit())
+        });
+        match (unit, product) {
+            (Some(unit), Some(product)) => return Some(format!("{unit} {product}")),
+            (Some(unit), None) => return Some(unit),
+            (None, _) => {}
+        }
+    }
+    None
+}
+
+/// The unit at the beginning or at the end of words, with a number before it that is a factor.
+fn of_piece(piece: &str) -> Option<String> {
+    let fields: Vec<&str> = piece.split_whitespace().collect();
+    (1..=fields.len().min(5)).rev().find_map(|count| {
+        let first = fields[..count].join(" ");
+        let from = fields.len() - count;
+        let is_factor = |at: &usize| number(fields[*at]).is_some_and(|number| number != 1.0);
+        let factor = from.checked_sub(1).filter(is_factor);
+        let last = fields[from..].join(" ");
+        if let Some(at) = factor.filter(|_| Units::are_meant(&last)) {
+            return Some(fields[at..].join(" "));
+        }
+        [first, last].into_iter().find(|words| Units::are_meant(words))
     })
 }
 
