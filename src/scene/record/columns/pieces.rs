@@ -73,7 +73,7 @@ fn piece(chars: &[char], at: usize) -> (Piece, usize) {
         let end = run(at, char::is_alphabetic);
         return (Piece::Word(chars[at..end].iter().collect()), end);
     }
-    let behind_word = at > 0 && is(at - 1, |c| c.is_alphabetic() || c == '.');
+    let behind_word = at > 0 && is(at - 1, |c| c.is_alphabetic() || ".)]".contains(c));
     if is_digit(c) || c == '.' && !behind_word && is(at + 1, |c| c.is_ascii_digit()) {
         let mut end = run(at, |c| c.is_ascii_digit() || c == '.');
         let sign = usize::from(is(end + 1, |c| matches!(c, '+' | '-')));
