@@ -41,7 +41,7 @@ pub(super) fn is_left(name: &str, component: Option<Component>) -> bool {
         // What is not known to be down is taken as it would be up.
         Word::Way(way) => !is_known && way != component.unwrap_or(Component::Up),
         _ => false,
-    }) || words.iter().any(|(text, _)| text == "sign")
+    }) || words.iter().any(|(text, _)| listed("sign dip", text))
 }
 
 /// True of a text that says in words where something points, which the name of a column does not.

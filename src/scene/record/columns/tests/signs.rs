@@ -61,6 +61,8 @@ fn a_sign_of_a_vertical_is_read_or_said() {
         ("UD neg", "said"),
         ("up (down)", "said"),
         ("UD (sign changed)", "said"),
+        ("UD (sign?)", "said"),
+        ("HNZ (dip 90)", "said"),
         ("UD (dn)", "turned"),
         ("D-U", "turned"),
         ("UD (m/s2) (down)", "turned"),
