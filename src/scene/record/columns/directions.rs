@@ -104,11 +104,15 @@ pub(super) fn azimuth_of_column(name: &str) -> Option<f64> {
 }
 
 /// The azimuth of a component of which a line calls ways along the ground positive: of NS that is positive south 180 degrees.
+/// None where all ways are behind that which it states.
 pub(super) fn azimuth_by_ways(own: Option<f64>, ways: &[f64]) -> Option<f64> {
-    let apart = |one: f64, other: f64| ((one - other).rem_euclid(360.0) - 180.0).abs();
+    let between = |one: f64, other: f64| 180.0 - ((one - other).rem_euclid(360.0) - 180.0).abs();
     match (own, ways) {
-        (Some(own), _) if ways.iter().any(|way| apart(own, *way) > 179.0) => Some(own),
-        (Some(own), _) => ways.iter().copied().find(|way| apart(own, *way) < 1.0).or(Some(own)),
+        (Some(own), _) if ways.iter().any(|way| between(own, *way) < 1.0) => Some(own),
+        (Some(own), _) => match ways.iter().find(|way| between(own, **way) > 179.0) {
+            Some(way) => Some(*way),
+            None => ways.iter().any(|way| between(own, *way) < 91.0).then_some(own),
+        },
         (None, [way]) => Some(*way),
         (None, _) => None,
     }

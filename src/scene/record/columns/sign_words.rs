@@ -80,7 +80,8 @@ impl Word {
 
 /// The words of a line, each with its text: `+ down` is positive down; `up-down` is no way, and neither is `down-sampled`.
 pub(super) fn words(line: &str) -> Vec<(String, Word)> {
-    let pieces: Vec<Piece> = pieces(line).into_iter().map(|(piece, _)| piece).collect();
+    let (pieces, touching): (Vec<Piece>, Vec<bool>) = pieces(line).into_iter().unzip();
+    let is_number = |at: usize| matches!(pieces.get(at), Some(Piece::Number(_)));
     let mut found: Vec<(String, Word)> = Vec::new();
     let mut at = 0;
     while at < pieces.len() {
@@ -89,7 +90,7 @@ pub(super) fn words(line: &str) -> Vec<(String, Word)> {
             Some(Piece::Word(text)) => Some(word(text)).filter(|one| one.is_way()),
             _ => None,
         };
-        let number = matches!(next, Some(Piece::Number(_)));
+        let number = is_number(at + 1);
         let stated = matches!(next, Some(Piece::Other(':' | '=')));
         let plus = |at: Option<usize>| at.and_then(|at| pieces.get(at)) == Some(&Piece::Plus);
         match &pieces[at] {
@@ -103,6 +104,12 @@ pub(super) fn words(line: &str) -> Vec<(String, Word)> {
             Piece::Word(text) if text == "s" && (plus(at.checked_sub(1)) || plus(Some(at + 1))) => {
                 found.push((text.clone(), Word::Toward(Some(180.0))));
             }
+            // The letters of a bearing are no ways: N17E.
+            Piece::Word(text) if word(text).is_toward() && number && touching[at + 1] => {
+                found.push((text.clone(), Word::Axis));
+            }
+            Piece::Word(text)
+                if word(text).is_toward() && touching[at] && is_number(at.wrapping_sub(1)) => {}
             Piece::Plus if !number => found.push(("+".into(), Word::Plus)),
             Piece::Word(text) => {
                 let apart = matches!(next, Some(Piece::Hyphen | Piece::Over));

@@ -27,6 +27,8 @@ struct Unclear {
     words: String,
     /// They speak of a vertical.
     of_vertical: bool,
+    /// They are the name of the column, of which no other line decides.
+    of_name: bool,
 }
 
 /// Puts what a line states where nothing or the same was stated before.
@@ -63,13 +65,15 @@ impl Signs {
                 put(&mut self.polarity, at, Some(way), "a polarity")?;
                 self.of_vertical |= matches!(stated, Some(Polarity::Way(_)));
             }
-            Some(Polarity::Unclear) => self.put_unclear(at, line),
+            Some(Polarity::Unclear) => self.put_unclear(at, line, false),
             None if directions::keyed(&plain).is_some_and(|value| value == "d") => {
-                self.put_unclear(at, line);
+                self.put_unclear(at, line, false);
             }
             None => {}
         }
-        self.put_towards(at, &plain);
+        if self.towards.is_none() {
+            self.put_towards(at, &plain);
+        }
         self.put_factor(at, factors::stated(&plain));
         if let Some(name) = meaning::lone_column(line) {
             self.by_name(at, &name, directions::of_column(&name));
@@ -83,7 +87,8 @@ impl Signs {
         // A lone D may be down, and may be a displacement.
         let is_d = component.is_none() && words::direction(name).eq_ignore_ascii_case("d");
         if is_d || polarity::is_left(&plain, component) {
-            self.put_unclear(at, name);
+            self.unclear.take_if(|unclear| !unclear.of_name);
+            self.put_unclear(at, name, true);
         }
         self.put_towards(at, &plain);
         self.put_factor(at, factors::of_name(&plain));
@@ -97,16 +102,17 @@ impl Signs {
         self.factors.retain(|(at, _)| *at != names);
     }
 
-    fn put_unclear(&mut self, at: usize, line: &str) {
+    fn put_unclear(&mut self, at: usize, line: &str, of_name: bool) {
         let is_vertical = |one: &Word| *one == Word::Vertical || one.is_way();
         let of_vertical = sign_words::words(line).iter().any(|(_, one)| is_vertical(one));
-        self.unclear.get_or_insert_with(|| Unclear { at, words: shown(line), of_vertical });
+        let words = || shown(line);
+        self.unclear.get_or_insert_with(|| Unclear { at, words: words(), of_vertical, of_name });
     }
 
     fn put_towards(&mut self, at: usize, words: &str) {
         let ways = ways::towards(words);
         if !ways.is_empty() {
-            self.towards.get_or_insert((at, ways));
+            self.towards = Some((at, ways));
         }
     }
 
@@ -133,17 +139,21 @@ impl Signs {
         let is_vertical = stated.component.is_some_and(Component::is_vertical);
         if let (Some((at, ways)), false) = (&self.towards, is_vertical) {
             let azimuth = directions::azimuth_by_ways(stated.azimuth, ways);
-            if let (Some(azimuth), true) = (azimuth, azimuth != stated.azimuth) {
-                notes.push(format!(
+            notes.extend(match (stated.azimuth, azimuth) {
+                (Some(own), None) => Some(format!(
+                    "line {at} calls another way positive than the {own} degrees of the component, which are taken"
+                )),
+                (own, Some(azimuth)) if own != Some(azimuth) => Some(format!(
                     "line {at} calls {azimuth} degrees from north over east positive"
-                ));
-            }
-            stated.azimuth = azimuth;
+                )),
+                _ => None,
+            });
+            stated.azimuth = azimuth.or(stated.azimuth);
         }
         let of_horizontal = stated.component == Some(Component::Horizontal);
-        if let Some(Unclear { at, words, of_vertical }) = self.unclear
-            && self.polarity.is_none()
-            && !(of_horizontal && of_vertical)
+        if let Some(Unclear { at, words, of_vertical, of_name }) = self.unclear
+            && (self.polarity.is_none() || of_name)
+            && !(of_horizontal && of_vertical && !of_name)
         {
             let so = match stated.component {
                 Some(Component::Horizontal) => "the samples are taken as they are".to_string(),

@@ -75,6 +75,7 @@ fn a_sign_of_a_vertical_is_read_or_said() {
         assert_eq!(vertical(&format!("Time (s), NS (m/s2), {name} (m/s2)")), wanted, "{name}");
     }
     for (comment, wanted) in [
+        ("positive up\n# sign=-1", ""),
         ("sign=-1", "said"),
         ("sign: negative", "said"),
         ("sense: reversed", "said"),
@@ -105,6 +106,18 @@ fn a_column_that_contradicts_its_direction_is_said() {
         let heading = format!("Time (s), N (m/s2), E (m/s2), {name} (m/s2)");
         assert_eq!(vertical(&heading), wanted, "{heading}");
     }
+}
+
+/// What a line says of all components does not decide of a column whose name says otherwise.
+#[test]
+fn the_name_of_a_column_is_said_whatever_comments_say() {
+    assert_eq!(vertical("# positive N, E, up\nTime (s), Z_inv (m/s2)"), "said");
+    assert_eq!(vertical("# positive N, E, D\nTime (s), UD (-) (m/s2)"), "turned and said");
+    let oblique = "# positive south\nTime (s), N17E (m/s2)";
+    let notes = record(oblique, None, false).unwrap().notes;
+    let said =
+        "line 1 calls another way positive than the 17 degrees of the component, which are taken";
+    assert!(notes.iter().any(|note| note == said), "{notes:?}");
 }
 
 #[test]
@@ -173,6 +186,8 @@ fn the_sign_of_a_horizontal_component_is_read_or_said() {
         ("# positive S, W, U\nTime (s), NS (m/s2)", 180.0, true),
         ("Time (s), NS (negative north) (m/s2)", 180.0, true),
         ("Time, NS (positive south) (m/s2), UD (m/s2)", 180.0, true),
+        ("# positive N, E, D\nTime (s), NS (positive south) (m/s2)", 180.0, true),
+        ("Time (s), N0E (positive south) (m/s2)", 180.0, true),
         ("Time (s), NS (-) (m/s2)", 0.0, true),
         ("Time (s), NS_inv (m/s2)", 0.0, true),
         ("# polarity: reversed\nTime (s), NS (m/s2)", 0.0, true),
