@@ -14,7 +14,7 @@ pub(super) struct Signs {
     /// The way of a vertical, and true where it is that of this component, not of all that a recorder has.
     polarity: Option<(usize, Component)>,
     of_vertical: bool,
-    /// The ways along the ground that are positive, degrees from north over east.
+    /// The ways along the ground that are positive, degrees from north over east, of the last line that tells some.
     towards: Option<(usize, Vec<f64>)>,
     /// The first words of a sign that are not understood.
     unclear: Option<Unclear>,
@@ -71,9 +71,7 @@ impl Signs {
             }
             None => {}
         }
-        if self.towards.is_none() {
-            self.put_towards(at, &plain);
-        }
+        self.put_towards(at, &plain);
         self.put_factor(at, factors::stated(&plain));
         if let Some(name) = meaning::lone_column(line) {
             self.by_name(at, &name, directions::of_column(&name));

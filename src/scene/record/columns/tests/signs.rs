@@ -64,6 +64,7 @@ fn a_sign_of_a_vertical_is_read_or_said() {
         ("UD (sign?)", "said"),
         ("HNZ (dip 90)", "said"),
         ("UD (dn)", "turned"),
+        ("Z (\u{2193})", "turned"),
         ("D-U", "turned"),
         ("UD (m/s2) (down)", "turned"),
         ("UD (+)", ""),
@@ -157,6 +158,8 @@ fn a_unit_with_a_factor_is_refused_whatever_is_given() {
         "# units: milli g\nTime (s), acc",
         "# units: 1e-3 g\nTime (s), acc",
         "# units: 0.5 g\nTime (s), acc",
+        "# units: g, x 1000\nTime (s), acc",
+        "# values in 0.001 g\nTime (s), acc",
         "Time, acc\ns, 1e-3 g",
         "Time, NS (g/1000), UD (g/1000)",
     ] {
