@@ -4,10 +4,9 @@ use super::super::clock::Clock;
 use super::super::component;
 use super::super::numbers::number;
 use super::super::{Component, Units};
-use super::pieces::{Piece, dashes, is_acceleration, lower, pieces};
+use super::pieces::{Piece, dashes, is_acceleration, listed, lower, pieces};
 use super::polarity;
 use super::ways::Polarity;
-
 use super::words::{self, TIMES, tokens, without_brackets, without_units};
 use super::{factors, sign_words};
 
@@ -15,20 +14,10 @@ use super::{factors, sign_words};
 const DIRECTIONS: [&str; 8] = ["UD", "U-D", "NS", "N-S", "EW", "E-W", "NORTH-SOUTH", "EAST-WEST"];
 
 /// Words of a column's name beside its direction.
-const BESIDE: [&str; 12] = [
-    "a",
-    "ag",
-    "component",
-    "comp",
-    "comp.",
-    "motion",
-    "ground",
-    "in",
-    "of",
-    "the",
-    "record",
-    "direction",
-];
+const BESIDE: &str = "a ag component comp comp. motion ground in of the record direction unit";
+
+/// Numbers of channels are below it; above it they are azimuths.
+const MOST_CHANNELS: f64 = 25.0;
 
 /// A component, and its azimuth where it is horizontal and that is known.
 type Direction = (Component, Option<f64>);
@@ -52,7 +41,7 @@ pub(super) fn stated(words: &str) -> Option<Direction> {
     let told = |word: &str| Some((Component::named(word)?, component::azimuth(word)));
     if let Some(value) = &keyed(words) {
         // A channel may be counted.
-        if lower.starts_with("ch") && value.len() < 3 && number(value).is_some() {
+        if lower.starts_with("ch") && number(value).is_some_and(|number| number < MOST_CHANNELS) {
             return None;
         }
         let channel = || Some((Component::of_channel(value)?, component::azimuth(value)));
@@ -79,7 +68,7 @@ pub(super) fn stated(words: &str) -> Option<Direction> {
         directions.extend(direction);
         direction.is_some()
             || is_acceleration(word)
-            || BESIDE.contains(&word)
+            || listed(BESIDE, word)
             || TIMES.contains(&word)
             || Clock::named(word).is_some()
             || Units::are_meant(word)
@@ -140,7 +129,7 @@ fn lone_direction(name: &str) -> Option<String> {
     let is_beside = |word: &str| {
         let of_sign =
             sign_words::words(word).iter().all(|(_, one)| *one != sign_words::Word::Other);
-        of_sign || is_acceleration(word) || BESIDE.contains(&word) || word == "x"
+        of_sign || is_acceleration(word) || listed(BESIDE, word) || word == "x"
     };
     let mut directions = found.iter().filter(|word| is_direction(word));
     let (first, second) = (directions.next().cloned(), directions.next());
@@ -214,6 +203,7 @@ mod tests {
             ("t [s] Acc_UD [gal]", Up),
             ("component: UD", Up),
             ("channel = HNZ", Up),
+            ("channel: 90", Horizontal),
             ("time;acc down (m/s2)", Down),
             ("time acc_up", Up),
             ("Time (s) EW (cm/s2)", Horizontal),
@@ -237,6 +227,7 @@ mod tests {
             "time (s), acc_y (g)",
             "a v",
             "down the hill",
+            "channel: 3",
         ] {
             assert_eq!(stated(words), None, "{words}");
         }

@@ -71,6 +71,7 @@ fn a_sign_of_a_vertical_is_read_or_said() {
         ("UD (m/s2) (+)", ""),
         ("Up-Down", ""),
         ("UD (up)", ""),
+        ("vertical (m/s2) acc", ""),
     ] {
         assert_eq!(vertical(&format!("Time (s), {name} (m/s2)")), wanted, "{name}");
         assert_eq!(vertical(&format!("Time (s), NS (m/s2), {name} (m/s2)")), wanted, "{name}");
