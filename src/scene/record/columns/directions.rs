@@ -114,7 +114,10 @@ fn lone_direction(name: &str) -> Option<String> {
     for (piece, touches) in pieces(name) {
         let is_word = matches!(piece, Piece::Word(_));
         match (piece, found.last_mut()) {
-            (Piece::Word(word), _) => found.push(word),
+            (Piece::Word(word), _) => {
+                let vertical = sign_words::glued(&word).map(|(vertical, _)| vertical.to_string());
+                found.push(vertical.unwrap_or(word));
+            }
             (Piece::Number(number), Some(word)) if touches && behind_word => {
                 word.push_str(&number.to_string());
             }

@@ -11,7 +11,7 @@ const SCALING: &str = "\
 /// Words between one of those and its number.
 const BETWEEN: &str = "\
     factor coefficient constant by a an the of is was were be with value values data samples acceleration \
-    accelerations acc record used applied all about";
+    accelerations acc record used applied all about x up down linear";
 
 /// Words of a line whose number is another thing's.
 const OF_OTHERS: &str = "\
@@ -26,7 +26,7 @@ const WHOLE: &str = "doubled tripled halved";
 
 /// Whole words of the same kind, and those beside which only a colon makes a number a factor.
 const SHORT: &str = "div mult";
-const STATED: &str = "calibration conversion sf";
+const STATED: &str = "calibration conversion sf lsb";
 
 /// The factor in a line: `scale factor: 0.001`, `multiplied by 9.81`, `Z*-1`, `values x 1000`, `(x1000)`.
 pub(super) fn stated(line: &str) -> Option<String> {
@@ -37,7 +37,7 @@ pub(super) fn stated(line: &str) -> Option<String> {
     }
     let negative = |factor: &String| factor.starts_with('-');
     let whole = || words().find(|word| listed(WHOLE, word)).map(|word| format!("'{word}'"));
-    keyed(&pieces)
+    keyed(&pieces, false)
         .or_else(|| product(&pieces, false))
         .or_else(whole)
         .filter(|factor| negative(factor) || !is_one(factor))
@@ -48,7 +48,7 @@ pub(super) fn of_name(name: &str) -> Option<String> {
     let pieces = pieces(name);
     let prefix =
         || pieces.iter().filter_map(|(piece, _)| word(piece)).find(|word| listed(PREFIXES, word));
-    keyed(&pieces)
+    keyed(&pieces, true)
         .or_else(|| product(&pieces, true))
         .or_else(|| prefix().map(|word| format!("'{word}'")))
         .filter(|factor| !is_one(factor))
@@ -59,7 +59,7 @@ fn is_one(factor: &str) -> bool {
 }
 
 /// The factor behind a word of scaling, or before `times` and `x` behind one.
-fn keyed(pieces: &[(Piece, bool)]) -> Option<String> {
+fn keyed(pieces: &[(Piece, bool)], of_name: bool) -> Option<String> {
     let is_key = |piece: &Piece| {
         word(piece).is_some_and(|word| {
             SCALING.split_ascii_whitespace().any(|begins| word.starts_with(begins))
@@ -71,7 +71,8 @@ fn keyed(pieces: &[(Piece, bool)]) -> Option<String> {
         |(key, (piece, _))| {
             let passed = |piece: &Piece| match piece {
                 Piece::Word(word) => listed(BETWEEN, word) || is_key(piece) || word == "to",
-                Piece::Other(c) => matches!(c, ':' | '=' | ','),
+                Piece::Open | Piece::Close => true,
+                Piece::Other(c) => matches!(c, ':' | '=' | ',' | '_'),
                 _ => false,
             };
             let rest = &pieces[key + 1..];
@@ -79,7 +80,7 @@ fn keyed(pieces: &[(Piece, bool)]) -> Option<String> {
                 key + 1 + rest.iter().take(FARTHEST).take_while(|(piece, _)| passed(piece)).count();
             let (value, end) = number(pieces, from)?;
             let stated = matches!(pieces[from - 1].0, Piece::Other(':' | '='));
-            if !stated && word(piece).is_some_and(|word| listed(STATED, word)) {
+            if !stated && !of_name && word(piece).is_some_and(|word| listed(STATED, word)) {
                 return None;
             }
             let full = key > 0 && word(&pieces[key - 1].0) == Some("full");
@@ -126,6 +127,12 @@ mod tests {
             ("conversion: 0.001", "0.001"),
             ("amplitudes doubled", "'doubled'"),
             ("SF = 1.5", "1.5"),
+            ("scaling: x2", "2"),
+            ("scaled (x2)", "2"),
+            ("Scale Factor (linear): 2", "2"),
+            ("scaled down by 2", "2"),
+            ("acc=raw*0.01", "0.01"),
+            ("LSB = 0.001 g", "0.001"),
             ("mult: 2", "2"),
             ("scaled to 50%", "50 %"),
         ] {
@@ -165,6 +172,11 @@ mod tests {
             ("acc (x1000)", "1000"),
             ("acc (x2)", "2"),
             ("acc x0.5", "0.5"),
+            ("acc (x-1)", "-1"),
+            ("acc (2 x)", "2"),
+            ("acc (1:10)", "1/10"),
+            ("acc_scaled_by_2", "2"),
+            ("acc SF 2", "2"),
             ("acc_x1000", "1000"),
             ("acc 2x", "2"),
             ("1000*acc", "1000"),

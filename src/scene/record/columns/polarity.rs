@@ -57,10 +57,11 @@ fn is_unclear(line: &str, words: &[(String, Word)]) -> bool {
     let is_vertical = any(|kind| kind == Word::Vertical);
     let is_axis = is_vertical || any(|kind| kind == Word::Axis);
     let has_way = any(Word::is_way);
+    let of_sign = has("sign signs");
     let denied =
         |at: usize| at > 0 && words[..at].iter().rev().take(2).any(|(_, one)| *one == Word::Not);
     let is_reversal = |(at, (text, one)): (usize, &(String, Word))| {
-        *one == Word::Reversed && !denied(at) && (is_vertical || !listed(OF_NAMES, text))
+        *one == Word::Reversed && !denied(at) && (is_vertical || of_sign || !listed(OF_NAMES, text))
     };
     let turned = words.iter().enumerate().any(is_reversal);
     // `polarity: positive`, `sign: normal`.
@@ -88,7 +89,6 @@ fn is_unclear(line: &str, words: &[(String, Word)]) -> bool {
     let tight = dashes(&tight);
     let of_minus_one = ["=-1", ":-1"].iter().any(|one| tight.contains(one));
     let of_one = of_minus_one || tight.contains("=+1");
-    let of_sign = has("sign signs");
     let has_sign = positive || any(|kind| kind == Word::Plus) || negative || of_one || of_sign;
     positive && !words.windows(2).any(of_horizontal) && !has(SIZE) && !is_normal
         || turned && (has(OF_SIGN) || is_axis || !speaks)

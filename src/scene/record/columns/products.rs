@@ -65,13 +65,19 @@ fn terms(pieces: &[(Piece, bool)], of_name: bool) -> Vec<Term> {
         let next = pieces.get(at + 1);
         let of_next = number(pieces, at + 1).map(|(number, _)| number);
         terms.push(match piece {
-            Piece::Minus if matches!(next, Some((Piece::Number(_), _))) => {
+            Piece::Minus | Piece::Hyphen
+                if matches!(next, Some((Piece::Number(_), _)))
+                    && (*piece == Piece::Minus
+                        || of_name && terms.last() == Some(&Term::Product)) =>
+            {
                 at += 1;
                 Term::Number(of_next.map_or(0.0, |number| -number))
             }
             Piece::Number(number) => Term::Number(*number),
             Piece::Product => Term::Product,
             Piece::Over => Term::Over,
+            // `1:10` in brackets.
+            Piece::Other(':') if at < numbers_to => Term::Over,
             Piece::Power => Term::Power,
             Piece::Other('_') => {
                 at += 1;
@@ -93,11 +99,15 @@ fn terms(pieces: &[(Piece, bool)], of_name: bool) -> Vec<Term> {
                         !touches_next && !terms.is_empty()
                     }
                     (Some(_), _) => true,
-                    (None, Some(Term::Number(_))) => of_name && (*touches || terms.len() == 1),
+                    (None, Some(Term::Number(_))) => {
+                        let last = matches!(next, None | Some((Piece::Close, _)));
+                        of_name && (*touches || last || terms.len() == 1)
+                    }
                     _ => false,
                 };
                 if is_sign { Term::Product } else { Term::Other }
             }
+            Piece::Word(_) if matches!(next, Some((Piece::Product, _))) => Term::Values,
             Piece::Word(word) if of_name || listed(VALUES, word) || is_acceleration(word) => {
                 Term::Values
             }
@@ -118,6 +128,7 @@ fn end_of_numbers(pieces: &[(Piece, bool)], open: usize) -> Option<usize> {
         pieces[open + 1..].iter().take(FARTHEST).position(|(piece, _)| *piece == Piece::Close)?;
     let is_part = |(piece, _): &(Piece, bool)| match piece {
         Piece::Number(_) | Piece::Minus | Piece::Product | Piece::Over | Piece::Power => true,
+        Piece::Hyphen | Piece::Other(':') => true,
         piece => word(piece) == Some("x"),
     };
     let end = open + 1 + inside;

@@ -126,6 +126,10 @@ pub(super) fn words(line: &str) -> Vec<(String, Word)> {
                     None if none && word(text).is_way() => (text.clone(), Word::Other),
                     None => (text.clone(), word(text)),
                 });
+                if let Some((vertical, sign)) = glued(text) {
+                    found.pop();
+                    found.extend([(vertical.to_string(), Word::Vertical), (text.clone(), sign)]);
+                }
                 at += if other.is_some() { 1 + usize::from(apart) } else { 0 };
             }
             _ => {}
@@ -135,6 +139,14 @@ pub(super) fn words(line: &str) -> Vec<(String, Word)> {
     name_letters(&mut found);
     name_system(&mut found);
     found
+}
+
+/// The vertical and its sign in one word: `Zneg`, `invUD`, `Zdown`.
+pub(super) fn glued(text: &str) -> Option<(&str, Word)> {
+    ["neg", "inv", "rev", "flip", "down", "dn", "up"].iter().find_map(|sign| {
+        let vertical = text.strip_suffix(sign).or(text.strip_prefix(sign))?;
+        listed("z ud hnz hlz bnz vert", vertical).then(|| (vertical, word(sign)))
+    })
 }
 
 /// Letters that are ways beside north and east: `N, E, D`; without them an s may be a second, and a d anything.

@@ -71,7 +71,7 @@ impl Signs {
             }
             None => {}
         }
-        self.put_towards(at, &plain);
+        self.put_towards(at, ways::towards(&plain));
         self.put_factor(at, factors::stated(&plain));
         if let Some(name) = meaning::lone_column(line) {
             self.by_name(at, &name, directions::of_column(&name));
@@ -88,7 +88,8 @@ impl Signs {
             self.unclear.take_if(|unclear| !unclear.of_name);
             self.put_unclear(at, name, true);
         }
-        self.put_towards(at, &plain);
+        self.put_towards(at, ways::in_brackets(&plain));
+        self.put_towards(at, ways::towards(&plain));
         self.put_factor(at, factors::of_name(&plain));
     }
 
@@ -107,8 +108,7 @@ impl Signs {
         self.unclear.get_or_insert_with(|| Unclear { at, words: words(), of_vertical, of_name });
     }
 
-    fn put_towards(&mut self, at: usize, words: &str) {
-        let ways = ways::towards(words);
+    fn put_towards(&mut self, at: usize, ways: Vec<f64>) {
         if !ways.is_empty() {
             self.towards = Some((at, ways));
         }

@@ -2,7 +2,8 @@
 
 use super::super::Component;
 use super::pieces::listed;
-use super::sign_words::{Word, words};
+use super::sign_words::{self, Word};
+use super::words;
 
 /// What words state of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,7 +33,7 @@ fn opposite(way: Component) -> Component {
 
 /// The ways along the ground that a line calls positive, degrees from north over east; none where they are not clear.
 pub(super) fn towards(line: &str) -> Vec<f64> {
-    let words = words(line);
+    let words = sign_words::words(line);
     let mut ways = Vec::new();
     if words.iter().any(|(text, _)| listed(OF_OTHERS, text)) {
         return ways;
@@ -47,6 +48,22 @@ pub(super) fn towards(line: &str) -> Vec<f64> {
         });
         if clear {
             ways.extend(of_part.map(|way| if positive { way } else { (way + 180.0) % 360.0 }));
+        }
+    }
+    ways
+}
+
+/// The ways that stand alone in the brackets of a column's name: `NS (south)`.
+pub(super) fn in_brackets(name: &str) -> Vec<f64> {
+    let mut ways = Vec::new();
+    for text in words::in_brackets(name) {
+        let words = sign_words::words(text);
+        let of_ways = |one: Word| matches!(one, Word::Toward(Some(_)) | Word::Filling);
+        if words.iter().all(|(_, one)| of_ways(*one)) {
+            ways.extend(words.iter().filter_map(|(_, one)| match one {
+                Word::Toward(degrees) => *degrees,
+                _ => None,
+            }));
         }
     }
     ways

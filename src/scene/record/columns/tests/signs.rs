@@ -55,6 +55,9 @@ fn a_sign_of_a_vertical_is_read_or_said() {
         ("UD\u{2212}", "said"),
         ("-Z", "said"),
         ("Z_inv", "said"),
+        ("Zneg", "said"),
+        ("UDinv", "said"),
+        ("UD (x\u{2212}1)", "said"),
         ("UD inverted", "said"),
         ("UD flipped", "said"),
         ("UD (-1)", "said"),
@@ -80,6 +83,7 @@ fn a_sign_of_a_vertical_is_read_or_said() {
         ("positive up\n# sign=-1", ""),
         ("sign=-1", "said"),
         ("sign: negative", "said"),
+        ("sign was changed", "said"),
         ("sense: reversed", "said"),
         ("component: D", "said"),
         ("z points to the ground", "said"),
@@ -187,6 +191,8 @@ fn the_sign_of_a_horizontal_component_is_read_or_said() {
         ("Time (s), NS (positive south) (m/s2)", 180.0, true),
         ("# positive south\nTime (s), NS (m/s2)", 180.0, true),
         ("Time (s), NS (+S) (m/s2)", 180.0, true),
+        ("Time (s), NS (to south) (m/s2)", 180.0, true),
+        ("Time (s), NS (South Hall) (m/s2)", 0.0, false),
         ("# positive S, W, U\nTime (s), NS (m/s2)", 180.0, true),
         ("Time (s), NS (negative north) (m/s2)", 180.0, true),
         ("Time, NS (positive south) (m/s2), UD (m/s2)", 180.0, true),
@@ -253,6 +259,8 @@ fn nothing_is_said_of_ordinary_names_and_comments() {
         "Vertical",
         "CH3-Z",
         "K-NET UD",
+        "Z-1",
+        "UD-01",
     ] {
         assert_eq!(vertical(&format!("Time (s), {name} (m/s2)")), "", "{name}");
     }
