@@ -6,11 +6,11 @@ use super::products::{FARTHEST, number, product, word};
 
 /// Words beside which a number is a factor, as they begin.
 const SCALING: &str = "\
-    scal factor multipl amplif attenuat magnif divid normali gain times increased reduced escala skalier";
+    scal factor multipli multiply amplif attenuat magnif divid normali gain increased reduced escala skalier";
 
 /// Words between one of those and its number.
 const BETWEEN: &str = "\
-    factor coefficient constant by a an the of is was were be with value values data samples acceleration \
+    factor coefficient constant by a an the of is was were be with value values samples acceleration \
     accelerations acc record used applied all about x up down linear";
 
 /// Words of a line whose number is another thing's.
@@ -55,7 +55,7 @@ pub(super) fn of_name(name: &str) -> Option<String> {
 }
 
 fn is_one(factor: &str) -> bool {
-    ["1", "1/1", "100 %"].contains(&factor)
+    ["0", "1", "1/1", "100 %"].contains(&factor)
 }
 
 /// The factor behind a word of scaling, or before `times` and `x` behind one.
@@ -141,6 +141,10 @@ mod tests {
         for line in [
             "scale factor = 1.0",
             "full scale: 2 g",
+            "gain 0 dB",
+            "at times 2 s",
+            "multiplexed 4",
+            "reduced data 2010",
             "again 3",
             "m/s**2",
             "m*s**-2",

@@ -35,6 +35,7 @@ pub(super) fn is_left(name: &str, component: Option<Component>) -> bool {
         _ => false,
     };
     let of_ground = !towards(name).is_empty();
+    let has = |letter: &str| words.iter().any(|(text, _)| text == letter);
     words.iter().any(|(_, one)| match *one {
         Word::Reversed => true,
         Word::Key(_) | Word::Minus => !is_known && !of_ground,
@@ -42,6 +43,7 @@ pub(super) fn is_left(name: &str, component: Option<Component>) -> bool {
         Word::Way(way) => !is_known && way != component.unwrap_or(Component::Up),
         _ => false,
     }) || words.iter().any(|(text, _)| listed("sign dip", text))
+        || component == Some(Component::Up) && has("d") && !has("u")
 }
 
 /// True of a text that says in words where something points, which the name of a column does not.
@@ -92,7 +94,7 @@ fn is_unclear(line: &str, words: &[(String, Word)]) -> bool {
     let has_sign = positive || any(|kind| kind == Word::Plus) || negative || of_one || of_sign;
     positive && !words.windows(2).any(of_horizontal) && !has(SIZE) && !is_normal
         || turned && (has(OF_SIGN) || is_axis || !speaks)
-        || has_way && (has_sign || is_vertical)
+        || has_way && (has_sign || is_vertical || has("axis"))
         || negative && (is_axis || of_sign || has("sense"))
         || of_sign && of_minus_one
         || spoken.windows(2).any(is_ground)
