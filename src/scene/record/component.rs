@@ -49,7 +49,9 @@ impl Component {
 
     /// The component of a channel by SEED's code of three letters: `HNZ`, `HNE`, `BN1`.
     pub(super) fn of_channel(code: &str) -> Option<Component> {
-        let last = code.trim().chars().last().filter(|_| code.trim().len() == 3)?;
+        let code = code.trim();
+        let is_code = code.len() == 3 && code.chars().all(char::is_alphanumeric);
+        let last = code.chars().last().filter(|_| is_code)?;
         match last.to_ascii_uppercase() {
             'Z' | '3' => Some(Component::Up),
             'N' | 'E' | '1' | '2' | 'X' | 'Y' | 'R' | 'T' => Some(Component::Horizontal),
@@ -65,7 +67,7 @@ impl Component {
 
 /// True of the words for down, in capitals.
 fn is_down(word: &str) -> bool {
-    ["DWN", "DN", "DOWN", "DU", "DOWNWARD", "DOWNWARDS"].contains(&word)
+    ["DWN", "DN", "DOWN", "DU", "D-U", "DOWNWARD", "DOWNWARDS"].contains(&word)
 }
 
 /// The azimuth of a word that states one, degrees from north over east: `228`, `S45W`, `NS`, `E-W`, a channel `HNE`.
@@ -169,5 +171,6 @@ mod tests {
         assert_eq!(Component::of_channel("HNZ"), Some(Component::Up));
         assert_eq!(Component::of_channel("HNE"), Some(Component::Horizontal));
         assert_eq!(Component::of_channel("Z"), None);
+        assert_eq!(Component::of_channel("Z-1"), None);
     }
 }

@@ -37,7 +37,22 @@ fn questioned(
         if let (Some(what), false) = (unlikely(&vertical.samples), rests) {
             return asked("vertical", format!("{what}: '{v}' is no motion"));
         }
-        if vertical.samples == horizontal.samples {
+        let is_same = vertical.samples == horizontal.samples;
+        let channels = &vertical.stated.channels;
+        let clear = |(_, component): &(String, Option<Component>)| {
+            component.is_some_and(Component::is_vertical)
+        };
+        if (is_same || is_vertical(vertical) == Some(false))
+            && vertical.stated.channel.is_none()
+            && channels.len() > 1
+            && !channels.iter().any(clear)
+        {
+            let problem = format!(
+                "no channel of '{v}' is clearly vertical; give `vertical_channel`, a number from 1 on or a direction"
+            );
+            return asked("vertical", problem);
+        }
+        if is_same {
             return asked("vertical", "the same motion as the horizontal one".into());
         }
         if is_vertical(vertical) == Some(false) {

@@ -42,6 +42,9 @@ const SPELLINGS: [(&str, &str); 20] = [
     ("mt/", "m/"),
 ];
 
+/// Longest text that may be a unit with a factor.
+const LONGEST: usize = 40;
+
 impl Units {
     /// m/s^2 in one of them.
     pub fn factor(self) -> f64 {
@@ -72,8 +75,61 @@ impl Units {
             || plain.ends_with("/s")
             || plain.ends_with("s2")
             || plain.ends_with("s-2")
-            || is_word(&["mg", "%g", "mgal", "milli-g", "millig", "counts", "count", "v", "mv"])
+            || is_word(&[
+                "mg", "m-g", "%g", "%-g", "g%", "mgal", "kgal", "milli-g", "millig", "counts",
+                "count", "v", "mv",
+            ])
+            || Units::has_factor(text)
     }
+
+    /// True of a known unit with a factor before or behind it, which makes it another one: `1e-3 g`, `g/1000`, `micro g`. A
+    /// number alone before it is a factor if it converts units; else it may be a peak, as of `0.35 g`.
+    pub fn has_factor(text: &str) -> bool {
+        let is_known = |text: &str| Units::named(text).is_some();
+        let may_be = text.contains(|c: char| c.is_numeric())
+            || text
+                .trim_start()
+                .to_lowercase()
+                .starts_with(['m', 'µ', 'μ', 'k', 'p', '%', 'h', 't']);
+        if text.len() > LONGEST || !may_be {
+            return false;
+        }
+        text.char_indices().skip(1).any(|(at, _)| {
+            let (one, other) = text.split_at(at);
+            is_known(other) && (is_factor(one) || converts(one))
+                || is_known(one) && is_factor(other)
+        })
+    }
+}
+
+/// True of a factor that is written as one: a product, a division, a power of ten, a prefix.
+fn is_factor(text: &str) -> bool {
+    const PREFIXES: [&str; 9] =
+        ["milli", "micro", "µ", "μ", "kilo", "percent", "% of", "hundredths of", "thousandths of"];
+    const SIGNS: [char; 10] =
+        ['x', '*', '/', '^', 'e', '\u{d7}', '\u{b7}', '\u{207b}', '\u{f7}', '%'];
+    let text = text.trim().trim_end_matches(['-', '_']).to_lowercase();
+    let part = |c: char| {
+        c.is_numeric()
+            || c.is_whitespace()
+            || SIGNS.contains(&c)
+            || ".-+()[]\u{2212}\u{2013}".contains(c)
+    };
+    let power = || {
+        text.strip_prefix("10").is_some_and(|rest| rest.starts_with(['-', '\u{2212}', '\u{2013}']))
+    };
+    PREFIXES.contains(&text.as_str())
+        || text.chars().all(part)
+            && text.contains(char::is_numeric)
+            && (text.contains(SIGNS) || power())
+}
+
+/// True of a number that converts units: a power of ten, or g in other units.
+fn converts(text: &str) -> bool {
+    let Ok(number) = text.trim().parse::<f64>() else { return false };
+    let power = number.log10();
+    let is_power = number != 1.0 && power.is_finite() && (power - power.round()).abs() < 1e-9;
+    is_power || (9.78..9.84).contains(&number) || (978.0..984.0).contains(&number)
 }
 
 /// Words without what differs from writer to writer: case, blanks, brackets, signs of powers and products.
@@ -134,11 +190,53 @@ mod tests {
                 assert!(Units::are_meant(spelling), "{spelling}");
             }
         }
-        for other in ["mg", "counts", "ft/s2", "cm/s", "%g", "in/s/s", "mm/s^2"] {
+        for other in [
+            "mg",
+            "counts",
+            "ft/s2",
+            "cm/s",
+            "%g",
+            "in/s/s",
+            "mm/s^2",
+            "1e-3 g",
+            "0.001 g",
+            "10^-3 g",
+            "10\u{207b}³ g",
+            "10-3 g",
+            "g/1000",
+            "g x 1000",
+            "g*1000",
+            "x1000 g",
+            "1000*g",
+            "0.01 m/s2",
+            "9.81 m/s2",
+            "m/s2 / 100",
+            "milli g",
+            "micro-g",
+            "1/1000 g",
+            "0.5*g",
+            "% of g",
+            "(1e-3) g",
+            "1E-3 gal",
+        ] {
             assert_eq!(Units::named(other), None, "{other}");
             assert!(Units::are_meant(other), "{other}");
         }
-        for words in ["corrected", "horizontal", "NS", "228", "s", "filtered", "Osaka/Japan"] {
+        for words in [
+            "corrected",
+            "horizontal",
+            "NS",
+            "228",
+            "s",
+            "filtered",
+            "Osaka/Japan",
+            "0.35 g",
+            "1 g",
+            "max 0.1 g",
+            "g 100",
+            "1e-3",
+            "PGA = 0.1 g",
+        ] {
             assert!(!Units::are_meant(words), "{words}");
         }
     }

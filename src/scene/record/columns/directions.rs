@@ -4,44 +4,46 @@ use super::super::clock::Clock;
 use super::super::component;
 use super::super::numbers::number;
 use super::super::{Component, Units};
-use super::polarity::{self, Polarity};
-use super::values::PRODUCT;
-use super::words::{self, TIMES, is_acceleration, tokens, without_brackets};
+use super::pieces::{Piece, dashes, is_acceleration, listed, lower, pieces};
+use super::polarity;
+use super::ways::Polarity;
+use super::words::{self, TIMES, tokens, without_brackets, without_units};
+use super::{factors, sign_words};
 
 /// Directions that mean nothing else where they stand in capitals.
 const DIRECTIONS: [&str; 8] = ["UD", "U-D", "NS", "N-S", "EW", "E-W", "NORTH-SOUTH", "EAST-WEST"];
 
 /// Words of a column's name beside its direction.
-const BESIDE: [&str; 12] = [
-    "a",
-    "ag",
-    "component",
-    "comp",
-    "comp.",
-    "motion",
-    "ground",
-    "in",
-    "of",
-    "the",
-    "record",
-    "direction",
-];
+const BESIDE: &str = "a ag component comp comp. motion ground in of the record direction unit";
+
+/// Numbers of channels are below it; above it they are azimuths.
+const MOST_CHANNELS: f64 = 25.0;
 
 /// A component, and its azimuth where it is horizontal and that is known.
 type Direction = (Component, Option<f64>);
 
+/// What stands behind a key of a direction: `ud` of `component: UD`.
+pub(super) fn keyed(words: &str) -> Option<String> {
+    const KEYS: [&str; 7] =
+        ["component", "comp", "direction", "dir", "channel", "orientation", "azimuth"];
+    let lower = lower(words);
+    let rest = KEYS.iter().find_map(|key| {
+        let rest = lower.strip_prefix(key)?.trim_start_matches(['.', ' ']);
+        rest.strip_prefix([':', '='])
+    })?;
+    rest.split([',', ';']).next().map(|value| value.trim().to_string())
+}
+
 /// The direction that words state: `component: UD`, a direction in capitals, `vertical acc`.
 pub(super) fn stated(words: &str) -> Option<Direction> {
+    let words = &dashes(words);
     let lower = words.to_lowercase();
-    let keyed = ["component", "comp", "direction", "dir", "channel", "orientation", "azimuth"]
-        .iter()
-        .find_map(|key| {
-            let rest = lower.strip_prefix(key)?.trim_start_matches(['.', ' ']);
-            let value = rest.strip_prefix([':', '='])?;
-            value.split([',', ';']).next().map(str::trim)
-        });
     let told = |word: &str| Some((Component::named(word)?, component::azimuth(word)));
-    if let Some(value) = keyed {
+    if let Some(value) = &keyed(words) {
+        // A channel may be counted.
+        if lower.starts_with("ch") && number(value).is_some_and(|number| number < MOST_CHANNELS) {
+            return None;
+        }
         let channel = || Some((Component::of_channel(value)?, component::azimuth(value)));
         return told(value).or_else(channel);
     }
@@ -66,7 +68,7 @@ pub(super) fn stated(words: &str) -> Option<Direction> {
         directions.extend(direction);
         direction.is_some()
             || is_acceleration(word)
-            || BESIDE.contains(&word)
+            || listed(BESIDE, word)
             || TIMES.contains(&word)
             || Clock::named(word).is_some()
             || Units::are_meant(word)
@@ -85,7 +87,58 @@ pub(super) fn azimuth_of_column(name: &str) -> Option<f64> {
         let counts = word.len() < 3 && number(word).is_some();
         component::azimuth(word).filter(|_| !counts)
     };
-    of(without_brackets(name).trim()).or_else(|| of(words::direction(name)))
+    let name = dashes(name);
+    let lone = || of(&lone_direction(&without_units(&name))?);
+    of(without_brackets(&name).trim()).or_else(|| of(words::direction(&name))).or_else(lone)
+}
+
+/// The azimuth of a component of which a line calls ways along the ground positive: of NS that is positive south 180 degrees.
+/// None where all ways are behind that which it states.
+pub(super) fn azimuth_by_ways(own: Option<f64>, ways: &[f64]) -> Option<f64> {
+    let between = |one: f64, other: f64| 180.0 - ((one - other).rem_euclid(360.0) - 180.0).abs();
+    match (own, ways) {
+        (Some(own), _) if ways.iter().any(|way| between(own, *way) < 1.0) => Some(own),
+        (Some(own), _) => match ways.iter().find(|way| between(own, **way) > 179.0) {
+            Some(way) => Some(*way),
+            None => ways.iter().any(|way| between(own, *way) < 91.0).then_some(own),
+        },
+        (None, [way]) => Some(*way),
+        (None, _) => None,
+    }
+}
+
+/// The one word of a name that is a direction, where all besides are of a sign or a factor: `Z` of `Z*-1`, `Z_inv`, `-Z`.
+fn lone_direction(name: &str) -> Option<String> {
+    let mut found: Vec<String> = Vec::new();
+    let mut behind_word = false;
+    for (piece, touches) in pieces(name) {
+        let is_word = matches!(piece, Piece::Word(_));
+        match (piece, found.last_mut()) {
+            (Piece::Word(word), _) => {
+                let vertical = sign_words::glued(&word).map(|(vertical, _)| vertical.to_string());
+                found.push(vertical.unwrap_or(word));
+            }
+            (Piece::Number(number), Some(word)) if touches && behind_word => {
+                word.push_str(&number.to_string());
+            }
+            _ => {}
+        }
+        behind_word = is_word;
+    }
+    // Letters may be anything, unless a sign or a factor stands beside them.
+    let signed = polarity::is_left(name, None) || factors::of_name(name).is_some();
+    let is_direction =
+        |word: &str| Component::named(word).is_some() && (signed || word.len() > 1 || word == "z");
+    let is_beside = |word: &str| {
+        let of_sign =
+            sign_words::words(word).iter().all(|(_, one)| *one != sign_words::Word::Other);
+        of_sign || is_acceleration(word) || listed(BESIDE, word) || word == "x"
+    };
+    let mut directions = found.iter().filter(|word| is_direction(word));
+    let (first, second) = (directions.next().cloned(), directions.next());
+    first.filter(|_| {
+        second.is_none() && found.iter().all(|word| is_direction(word) || is_beside(word))
+    })
 }
 
 /// True of a name of which `down` is the only word beside those of an acceleration and of units.
@@ -100,9 +153,10 @@ fn is_down(name: &str) -> bool {
 
 /// The direction that a column's name tells: `NS (g)`, `acc-UD`, `IWT010.UD1`, `HNZ`, `Up-Down`, `Z (down)`.
 pub(super) fn of_column(name: &str) -> Option<Component> {
+    let name = &without_units(&dashes(name));
     let own = of_name(name);
     match polarity::stated(name) {
-        Some(Polarity::Way(way)) => Some(way),
+        Some(Polarity::Way(way)) if own != Some(Component::Horizontal) => Some(way),
         Some(Polarity::OfAll(way)) if own.is_some_and(Component::is_vertical) => Some(way),
         _ => own,
     }
@@ -135,12 +189,8 @@ fn of_name(name: &str) -> Option<Component> {
     // Behind a blank `down` may be the end of a sentence: `5 m down`.
     let apart = bare.contains([' ', ':']);
     let last = || told(last).filter(|one| !(apart && *one == Component::Down));
-    // `Z*-1` is Z.
-    let factor = || {
-        let mut pieces = bare.split(PRODUCT).map(str::trim).filter(|one| number(one).is_none());
-        pieces.next().filter(|_| bare.contains(PRODUCT)).and_then(told)
-    };
-    stated.or_else(|| told(bare)).or_else(last).or_else(factor)
+    let lone = || lone_direction(plain).and_then(|word| told(&word));
+    stated.or_else(|| told(bare)).or_else(last).or_else(lone)
 }
 
 #[cfg(test)]
@@ -156,6 +206,7 @@ mod tests {
             ("t [s] Acc_UD [gal]", Up),
             ("component: UD", Up),
             ("channel = HNZ", Up),
+            ("channel: 90", Horizontal),
             ("time;acc down (m/s2)", Down),
             ("time acc_up", Up),
             ("Time (s) EW (cm/s2)", Horizontal),
@@ -179,6 +230,7 @@ mod tests {
             "time (s), acc_y (g)",
             "a v",
             "down the hill",
+            "channel: 3",
         ] {
             assert_eq!(stated(words), None, "{words}");
         }

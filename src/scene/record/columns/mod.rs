@@ -3,15 +3,24 @@
 //! before them; after it several values may stand in a row. Other rows of three numbers and more are in `several`.
 
 mod directions;
+mod factors;
+mod meaning;
 mod named;
+mod pieces;
 mod polarity;
+mod products;
 mod rows;
 mod several;
+mod sign_words;
+mod signs;
 mod table;
 #[cfg(test)]
 mod tests;
+mod timed;
 mod told;
+mod unit_words;
 mod values;
+mod ways;
 mod words;
 
 use std::borrow::Cow;
@@ -19,9 +28,9 @@ use std::borrow::Cow;
 use super::hints::RecordHints;
 use super::numbers::{free, number};
 use super::{Raw, RecordError, Stated};
-use polarity::Polarity;
 use rows::Rows;
 use told::Told;
+use ways::Polarity;
 
 /// Most lines of a heading.
 const HEADING: usize = 20;

@@ -6,7 +6,7 @@ use super::super::clock::Clock;
 use super::super::component::Component;
 use super::super::hints::RecordHints;
 use super::super::numbers::number;
-use super::{COMMENT, directions, polarity, words};
+use super::{COMMENT, directions, meaning, polarity, words};
 
 /// The names of the columns: of the last line above the rows that has as many, and neither their units alone nor a
 /// statement such as `dt = 0.01`.
@@ -47,7 +47,7 @@ pub(super) fn is_headed(text: &str, first: usize) -> bool {
 /// True of a pair of columns that a heading names as two accelerations, neither of them a time.
 pub(super) fn is_pair(text: &str, first: usize) -> bool {
     let named = names(text, first, 2);
-    let is_channel = |name: &String| words::is_channel(name) && !polarity::is_sentence(name);
+    let is_channel = |name: &String| meaning::is_channel(name) && !polarity::is_sentence(name);
     named.is_some_and(|(_, names)| names.iter().all(is_channel))
 }
 
@@ -75,7 +75,7 @@ pub(super) fn channels<'a>(names: &'a [String], hints: &RecordHints) -> Vec<Chan
         true => words::says_acceleration(name),
         // One that is chosen by its number need not be understood.
         false => {
-            let is_one = words::is_channel(name) || is_horizontal(name) || is_down(name) || asked;
+            let is_one = meaning::is_channel(name) || is_horizontal(name) || is_down(name) || asked;
             is_one && !words::says_integral(name)
         }
     };

@@ -1,6 +1,7 @@
 //! The rows of plain numbers: values, times and values, or values that run on below a count.
 
-use super::told::{Timed, Told};
+use super::timed::Timed;
+use super::told::Told;
 use crate::scene::record::lines::MOST_SAMPLES;
 use crate::scene::record::numbers::free;
 use crate::scene::record::times::Times;

@@ -8,7 +8,7 @@ use super::super::{Component, Raw, RecordError, Units};
 use super::named::{channels, is_headed, names, units_below};
 use super::table::Table;
 use super::told::Told;
-use super::{directions, words};
+use super::{directions, meaning};
 use crate::scene::shown::shown;
 
 /// Fewest values of a row that runs on: three may be the components of a motion.
@@ -126,21 +126,20 @@ pub(super) fn read(
         let (line, units) = units_below(text, line, table.width).filter(|_| named)?;
         Some((line, units.get(column)?.clone()))
     };
-    let own = words::bracket(channel.text).map(|words| (line, words.to_string())).or_else(below);
+    let own = meaning::bracket(channel.text).map(|words| (line, words.to_string())).or_else(below);
     raw.stated.azimuth = directions::azimuth_of_column(channel.text).filter(|_| named);
     // What is told of the whole file, its title's last word too, may be of another column.
     if !lone && named {
         raw.stated.component = None;
         told.forget_direction(line);
-        told.put_factor(line, channel.text);
     }
-    if named && channel.word.eq_ignore_ascii_case("d") {
-        match channel.component {
-            Some(_) => raw.notes.push(format!(
+    if named {
+        told.signs.by_name(line, channel.text, channel.component);
+        if channel.component.is_some() && channel.word.eq_ignore_ascii_case("d") {
+            raw.notes.push(format!(
                 "the column '{}' stands beside north and east: it is down",
                 shown(channel.text)
-            )),
-            None => told.put_unclear(line, channel.text),
+            ));
         }
     }
     raw.stated.component = channel.component.or(raw.stated.component);

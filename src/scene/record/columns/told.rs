@@ -2,68 +2,31 @@
 
 use super::super::clock::Clock;
 use super::super::hints::RecordHints;
-use super::super::times::{self, Times};
-use super::super::{Component, DIGITS, Raw, RecordError, Step, Units, rounded};
-use super::polarity::{self, Polarity};
-use super::{directions, values, words};
+use super::super::{Component, Raw, RecordError, Step, Units};
+use super::signs::{Signs, put};
+use super::{directions, meaning, unit_words, values, words};
 use crate::scene::shown::shown;
 
-/// Longest time between samples that a column of times in s may have; above it the times are in another unit.
-const LONGEST: f64 = 0.25;
 /// Most of a step by which one of another unit may be off.
-const OFF: f64 = 1.0e-6;
+pub(super) const OFF: f64 = 1.0e-6;
 
 /// What is stated, each with its line.
 #[derive(Default)]
 pub(super) struct Told {
     units: Option<(usize, String)>,
-    clock: Option<(usize, Result<Clock, String>)>,
+    pub clock: Option<(usize, Result<Clock, String>)>,
     component: Option<(usize, Component)>,
     azimuth: Option<(usize, f64)>,
-    polarity: Option<(usize, Component)>,
-    /// The polarity is that of this component, not of all that a recorder has.
-    of_vertical: bool,
-    /// The first words of a sign that are not understood.
-    unclear: Option<(usize, String)>,
-    step: Option<(usize, f64)>,
+    /// What is told of the sign and the size of the values.
+    pub signs: Signs,
+    pub step: Option<(usize, f64)>,
     count: Option<(usize, usize)>,
-    /// Factors on the values, each with its line.
-    factors: Vec<(usize, f64)>,
     /// What comments state, in a sentence each.
     notes: Vec<String>,
     /// The step that is given beside the file, s.
     given: Option<f64>,
     /// True where the file is given as a vertical.
     as_vertical: bool,
-}
-
-/// What a column of times tells.
-pub(super) struct Timed {
-    pub step: Step,
-    /// The time of the first sample, s, where the unit is known.
-    pub start: Option<f64>,
-    /// What has to be said of it.
-    pub note: Option<String>,
-}
-
-/// Puts what a line states where nothing or the same was stated before.
-fn put<T: PartialEq>(
-    place: &mut Option<(usize, T)>,
-    at: usize,
-    stated: Option<T>,
-    what: &str,
-) -> Result<bool, RecordError> {
-    let Some(stated) = stated else { return Ok(false) };
-    match place {
-        None => {
-            *place = Some((at, stated));
-            Ok(true)
-        }
-        Some((_, before)) if *before == stated => Ok(false),
-        Some((before, _)) => {
-            Err(RecordError::line(at, format!("{what} other than in line {before}; correct one")))
-        }
-    }
 }
 
 impl Told {
@@ -86,20 +49,19 @@ impl Told {
     /// A heading of velocities or displacements, and one that contradicts a line before.
     pub fn by_heading(&mut self, at: usize, line: &str) -> Result<bool, RecordError> {
         refuse_others(at, line)?;
-        let units = words::units(line);
+        let units = unit_words::units(line);
         let found = units.is_some();
         self.put_units(at, units)?;
-        put(&mut self.clock, at, words::clock(line), "a unit of the times")?;
+        put(&mut self.clock, at, unit_words::clock(line), "a unit of the times")?;
         self.put_numbers(at, line)?;
         self.put_direction(at, directions::stated(line))?;
-        if let Some(name) = words::lone_column(line)
+        if let Some(name) = meaning::lone_column(line)
             && let Some(component) = directions::of_column(&name)
             && self.component.is_none()
         {
             self.put_direction(at, Some((component, directions::azimuth_of_column(&name))))?;
         }
-        self.put_polarity(at, line)?;
-        self.put_factor(at, line);
+        self.signs.by_line(at, line)?;
         Ok(found)
     }
 
@@ -114,35 +76,11 @@ impl Told {
         Ok(())
     }
 
-    fn put_polarity(&mut self, at: usize, words: &str) -> Result<(), RecordError> {
-        let stated = polarity::stated(words);
-        match stated {
-            Some(Polarity::Way(way) | Polarity::OfAll(way)) => {
-                put(&mut self.polarity, at, Some(way), "a polarity")?;
-                self.of_vertical |= matches!(stated, Some(Polarity::Way(_)));
-            }
-            Some(Polarity::Unclear) => self.put_unclear(at, words),
-            // A lone D may be down, and may be a displacement.
-            None => {
-                let name = words::lone_column(words);
-                if name.is_some_and(|name| words::direction(&name).eq_ignore_ascii_case("d")) {
-                    self.put_unclear(at, words);
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Takes up words that may tell a direction, and do not do so clearly.
-    pub fn put_unclear(&mut self, at: usize, words: &str) {
-        self.unclear.get_or_insert_with(|| (at, shown(words)));
-    }
-
-    /// Leaves out what was told of a direction, and factors of the line that names the columns: of a file of several
-    /// columns, that may be another one's.
+    /// Leaves out what was told of a direction, and what the line that names the columns tells of a sign: of a file of
+    /// several columns, that may be another one's.
     pub fn forget_direction(&mut self, names: usize) {
         (self.component, self.azimuth) = (None, None);
-        self.factors.retain(|(at, _)| *at != names);
+        self.signs.forget(names);
     }
 
     /// Takes up a comment: what it states of the units, the step, the count and the direction.
@@ -154,11 +92,12 @@ impl Told {
         if of_columns || words.to_lowercase().contains("response spectr") {
             refuse_others(at, words)?;
         }
-        let units = if of_columns { words::units(words) } else { words::after_units(words) };
+        let units =
+            if of_columns { unit_words::units(words) } else { unit_words::of_comment(words) };
         if let (Some(units), true) = (units.clone(), self.put_units(at, units)?) {
             self.notes.push(format!("line {at} states units of '{}'", shown(&units)));
         }
-        if of_columns && let Some(Ok(clock)) = words::clock(words) {
+        if of_columns && let Some(Ok(clock)) = unit_words::clock(words) {
             put(&mut self.clock, at, Some(Ok(clock)), "a unit of the times")?;
         }
         self.put_numbers(at, words)?;
@@ -167,14 +106,7 @@ impl Told {
             .then(|| directions::stated(words))
             .flatten();
         self.put_direction(at, direction)?;
-        self.put_polarity(at, words)?;
-        self.put_factor(at, words);
-        Ok(())
-    }
-
-    /// Takes up a factor on the values. It is said and not applied: nobody knows whether it was.
-    pub fn put_factor(&mut self, at: usize, words: &str) {
-        self.factors.extend(values::factor(words).map(|factor| (at, factor)));
+        self.signs.by_line(at, words)
     }
 
     fn put_units(&mut self, at: usize, units: Option<String>) -> Result<bool, RecordError> {
@@ -203,77 +135,15 @@ impl Told {
         Ok(())
     }
 
-    /// What a column of times tells. Its step is the one that is given, or stated in words or in a row, where the times
-    /// agree with it to their digits.
-    ///
-    /// # Errors
-    /// Uneven times, times of a unit that is not known, and a step that the times contradict.
-    pub fn step_of(
-        &self,
-        times: &Times,
-        given: Option<f64>,
-        row: Option<f64>,
-    ) -> Result<Timed, RecordError> {
-        let second = Clock::default();
-        let begins =
-            |clock: &Clock| times.first().map(|first| rounded(first * clock.seconds, DIGITS));
-        let (at, clock) = match &self.clock {
-            None => (0, None),
-            Some((at, Ok(clock))) => (*at, Some(clock)),
-            Some((at, Err(word))) => {
-                let word = shown(word);
-                let Some(given) = given else {
-                    let problem = format!(
-                        "times in '{word}' are not read; write them in s, or give `dt` in their place"
-                    );
-                    return Err(RecordError::line(*at, problem));
-                };
-                // Whatever they are in, they are evenly apart.
-                times::step(times, None, &second)?;
-                let note =
-                    format!("times in '{word}' are not read: the step is {given} s, as given");
-                return Ok(Timed { step: Step::exact(given), start: None, note: Some(note) });
-            }
-        };
-        let stated = self.step.map(|(_, step)| step);
-        let found = times::step(times, given.or(stated).or(row), clock.unwrap_or(&second))?;
-        if let (Some((at, stated)), None) = (self.step, given)
-            && (stated - found.seconds).abs() > found.within
-        {
-            let problem = format!(
-                "a step of {stated} s, and the times have {} s; correct one, or give `dt`",
-                found.seconds
-            );
-            return Err(RecordError::line(at, problem));
-        }
-        if let Some(clock) = clock.filter(|clock| clock.seconds != 1.0) {
-            let note = format!("the times are in {} by line {at}", clock.word);
-            return Ok(Timed { step: found, start: begins(clock), note: Some(note) });
-        }
-        match given {
-            Some(given) if clock.is_none() && found.seconds > LONGEST => {
-                let note = Some(other_unit(found, given)?);
-                Ok(Timed { step: Step::exact(given), start: None, note })
-            }
-            _ => Ok(Timed { step: found, start: begins(&second), note: None }),
-        }
-    }
-
     /// The record with the description of it.
     ///
     /// # Errors
     /// Fewer samples than the count that is stated.
     pub fn complete(self, mut raw: Raw) -> Result<Raw, RecordError> {
-        let factor = |(at, factor): (usize, f64)| {
-            let hint = match factor < 0.0 {
-                true => {
-                    "; if a vertical is positive down as it stands here, write 'positive down' there"
-                }
-                false => "",
-            };
-            format!("line {at} states a factor of {factor}, which is not applied{hint}")
-        };
-        raw.notes.splice(0..0, self.notes.into_iter().chain(self.factors.into_iter().map(factor)));
+        raw.stated.component = raw.stated.component.or(self.component.map(|(_, one)| one));
+        raw.stated.azimuth = raw.stated.azimuth.or(self.azimuth.map(|(_, azimuth)| azimuth));
+        let signs = self.signs.apply(&mut raw, self.as_vertical);
+        raw.notes.splice(0..0, self.notes.into_iter().chain(signs));
         if let (Some((at, step)), None) = (self.step, &raw.step) {
             match self.given {
                 Some(given) if (given - step).abs() > OFF * given => raw
@@ -303,26 +173,6 @@ impl Told {
             }
         }
         raw.units = self.units;
-        let stated = &mut raw.stated;
-        stated.component = stated.component.or(self.component.map(|(_, one)| one));
-        stated.azimuth = stated.azimuth.or(self.azimuth.map(|(_, azimuth)| azimuth));
-        // A horizontal component has no such way, and that up is positive says nothing of which component it is.
-        match (self.polarity, stated.component) {
-            (_, Some(Component::Horizontal)) | (None, _) => {}
-            (Some((_, Component::Up)), None) => {}
-            // Words of all components of a recorder do not tell which one the file has.
-            (Some(_), None) if !self.of_vertical && !self.as_vertical => {}
-            (Some((_, way)), _) => stated.component = Some(way),
-        }
-        if let (Some((at, words)), None) = (&self.unclear, self.polarity)
-            && stated.component != Some(Component::Horizontal)
-        {
-            let way = if stated.component == Some(Component::Down) { "down" } else { "up" };
-            raw.notes.push(format!(
-                "line {at} speaks of a sign in words that are not understood ('{words}'): a vertical is taken as positive \
-                 {way}; write 'positive up' or 'positive down' there"
-            ));
-        }
         Ok(raw)
     }
 }
@@ -332,7 +182,7 @@ fn refuse_others(at: usize, words: &str) -> Result<(), RecordError> {
     let lower = words.to_lowercase();
     let names = |of: &[&str]| of.iter().any(|word| lower.contains(word));
     let is_acceleration = names(&["acc", "beschl", "acel"]);
-    if !is_acceleration && (names(&["veloc", "displac"]) || words::are_integrals(words)) {
+    if !is_acceleration && (names(&["veloc", "displac"]) || meaning::are_integrals(words)) {
         let problem = "this is no acceleration by its heading; give the file of accelerations";
         return Err(RecordError::line(at, problem));
     }
@@ -343,23 +193,4 @@ fn refuse_others(at: usize, words: &str) -> Result<(), RecordError> {
         return Err(RecordError::line(at, problem));
     }
     Ok(())
-}
-
-/// What a first column in no stated unit is by the step that is given: times in ms or µs, or a count.
-fn other_unit(found: Step, given: f64) -> Result<String, RecordError> {
-    let apart = found.seconds;
-    let is = |factor: f64| (apart - factor * given).abs() <= OFF * apart + found.within;
-    let what = if is(1.0e3) {
-        "is in ms by the step that is given"
-    } else if is(1.0e6) {
-        "is in µs by the step that is given"
-    } else if apart == 1.0 {
-        "counts samples: the step is the one that is given"
-    } else {
-        return Err(RecordError::whole(format!(
-            "steps of {apart} in the first column are `dt` in neither s, ms nor µs; give the right `dt`, or name their unit \
-             in a heading such as time (ms), acc (g)"
-        )));
-    };
-    Ok(format!("the first column {what}, {given} s"))
 }

@@ -38,45 +38,6 @@ pub(super) fn count(words: &str) -> Option<usize> {
     (value >= 2.0 && value.fract() == 0.0 && value < 1.0e9).then_some(value as usize)
 }
 
-/// The signs of a product.
-pub(super) const PRODUCT: [char; 3] = ['*', '\u{d7}', '\u{b7}'];
-
-/// A factor on the values that words state: `scale factor: 0.001`, `multiply by 9.81`, `Z*-1`.
-pub(super) fn factor(words: &str) -> Option<f64> {
-    const KEYS: [&str; 7] = [
-        "scale factor",
-        "scaling factor",
-        "conversion factor",
-        "calibration factor",
-        "multiply by",
-        "multiplier",
-        "gain",
-    ];
-    let lower = words.to_lowercase();
-    let keyed = KEYS.iter().find_map(|key| valued(&lower, key)).map(|(factor, _)| factor);
-    keyed.or_else(|| turning(&lower)).filter(|factor| *factor != 1.0)
-}
-
-/// A negative factor in a product: `Z*-1`, `(-1) * Z`, `times -1`. A positive one may be part of a unit, as in `m/s*2`.
-fn turning(lower: &str) -> Option<f64> {
-    let signs = lower.replace("multiplied by ", "*").replace("times -", "*-").replace(" x -", "*-");
-    let plain: String =
-        signs.chars().filter(|c| !c.is_whitespace() && !matches!(c, '(' | ')')).collect();
-    let is_part = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-');
-    plain.match_indices(PRODUCT).find_map(|(at, sign)| {
-        let (before, after) = (&plain[..at], &plain[at + sign.len()..]);
-        let behind = &after[..after.find(|c| !is_part(c)).unwrap_or(after.len())];
-        let from = before
-            .rfind(|c| !is_part(c))
-            .map_or(0, |at| at + before[at..].chars().next().map_or(1, char::len_utf8));
-        // Two stars are a power, and 1e-3 is no product of -3.
-        let power = before.ends_with('*') || after.starts_with('*');
-        let inner = before[..from].ends_with(char::is_alphanumeric);
-        let of = |text: &str| text.parse::<f64>().ok().filter(|factor| *factor < 0.0 && !power);
-        of(behind).or_else(|| of(&before[from..]).filter(|_| !inner))
-    })
-}
-
 /// The number behind a key, and the word of its unit, in brackets before it or after it.
 fn valued(lower: &str, key: &str) -> Option<(f64, String)> {
     let is_letter = |c: Option<char>| c.is_some_and(char::is_alphanumeric);
@@ -126,23 +87,5 @@ mod tests {
         assert_eq!(count("NPTS=4000, DT=0.01"), Some(4000));
         assert_eq!(count("number of points: 12"), Some(12));
         assert_eq!(count("NPTS=0.5"), None);
-        assert_eq!(factor("Scale factor: 0.001"), Some(0.001));
-        assert_eq!(factor("multiply by 9.81 for m/s2"), Some(9.81));
-        assert_eq!(factor("scale factor = 1.0"), None);
-        assert_eq!(factor("again 3"), None);
-        for words in [
-            "Z*-1",
-            "Z * (-1) (g)",
-            "-1*Z",
-            "(-1) \u{d7} UD",
-            "Z x -1",
-            "values times -1",
-            "gain: -1",
-        ] {
-            assert_eq!(factor(words), Some(-1.0), "{words}");
-        }
-        for words in ["m/s**2", "m*s**-2", "m/s*s", "1e-3*x", "HNX -1", "Z - 1", "cm*s-2", "2*Z"] {
-            assert_eq!(factor(words), None, "{words}");
-        }
     }
 }

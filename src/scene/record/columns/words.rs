@@ -1,15 +1,20 @@
-//! The words that stand above plain numbers: in which of them a unit is stated. Others are in `values` and `directions`.
+//! The names of columns in the words above plain numbers, and what they say that a column is.
 
+use super::super::Units;
 use super::super::clock::Clock;
 use super::super::numbers::number;
-use super::super::{Component, Units};
-use super::polarity;
+use super::pieces::{dashes, is_acceleration};
 
 /// Names of a column of times.
 pub(super) const TIMES: [&str; 7] = ["time", "times", "t", "zeit", "temps", "tiempo", "tempo"];
 
 /// What stands in the outermost brackets of a line.
-fn in_brackets(line: &str) -> Vec<&str> {
+pub(super) fn in_brackets(line: &str) -> Vec<&str> {
+    brackets(line).into_iter().map(|(_, text)| text).collect()
+}
+
+/// The same, each with the place where it begins.
+fn brackets(line: &str) -> Vec<(usize, &str)> {
     let (mut found, mut depth, mut from) = (Vec::new(), 0_usize, 0);
     for (at, c) in line.char_indices() {
         match c {
@@ -22,14 +27,14 @@ fn in_brackets(line: &str) -> Vec<&str> {
             ')' | ']' if depth > 0 => {
                 depth -= 1;
                 if depth == 0 {
-                    found.push(&line[from..at]);
+                    found.push((from, &line[from..at]));
                 }
             }
             _ => {}
         }
     }
     if depth > 0 {
-        found.push(&line[from..]);
+        found.push((from, &line[from..]));
     }
     found
 }
@@ -52,13 +57,29 @@ pub(super) fn without_brackets(line: &str) -> String {
     plain
 }
 
+/// A line without the brackets that hold a unit, of an acceleration, a length or a time; a word stands for one that ends
+/// what belongs together.
+pub(super) fn without_units(line: &str) -> String {
+    let mut plain = String::with_capacity(line.len());
+    let mut from = 0;
+    for (begins, text) in brackets(line).into_iter().filter(|(_, text)| is_unit(text)) {
+        let end = (begins + text.len() + 1).min(line.len());
+        let next = line[end..].trim_start().chars().next();
+        plain.push_str(&line[from..begins - 1]);
+        plain.push_str(if matches!(next, None | Some('(' | '[')) { " " } else { " unit " });
+        from = end;
+    }
+    plain + &line[from..]
+}
+
+/// True of a unit of a column.
+pub(super) fn is_unit(text: &str) -> bool {
+    Units::are_meant(text) || is_length(text) || Clock::named(text).is_some()
+}
+
 pub(super) fn tokens(line: &str) -> impl Iterator<Item = &str> {
     let apart = |c: char| c.is_whitespace() || matches!(c, ',' | ';' | ':' | '=' | '"' | '|' | '_');
     line.split(apart).filter(|word| !word.is_empty())
-}
-
-pub(super) fn is_acceleration(word: &str) -> bool {
-    ["acc", "beschl", "acel", "accél"].iter().any(|begins| word.starts_with(begins))
 }
 
 /// True of names of columns: of a time or an acceleration, without a number beside them.
@@ -71,6 +92,7 @@ pub(super) fn names_columns(words: &str) -> bool {
 /// The names of the columns in a line: between commas, semicolons or tabs; else between blanks, a bracket with the word
 /// before it.
 pub(super) fn columns(line: &str) -> Vec<String> {
+    let line = &dashes(line);
     let plain = |name: &str| name.trim().trim_matches('"').trim().to_string();
     if line.contains([',', ';', '\t']) {
         // A spreadsheet leaves separators at the end of a row.
@@ -98,35 +120,8 @@ pub(super) fn columns(line: &str) -> Vec<String> {
     names
 }
 
-/// The name of the one column of values in a line that names it, beside a column of times or alone with its units:
-/// `Time (s), NS (g)`, `NS (g)`.
-pub(super) fn lone_column(line: &str) -> Option<String> {
-    let mut names = columns(line);
-    let is_time = |name: &String| parts(name).first().is_some_and(|part| TIMES.contains(&&**part));
-    let has_units = |name: &String| bracket(name).is_some_and(Units::are_meant);
-    let is_one = match &names[..] {
-        [time, _] => is_time(time),
-        [name] => has_units(name),
-        _ => false,
-    };
-    names.pop().filter(|_| is_one)
-}
-
-/// What stands in the last bracket of a name that may be a unit: `g` of `UD (g) (+)`.
-pub(super) fn bracket(name: &str) -> Option<&str> {
-    in_brackets(name).into_iter().rev().find(|text| !is_sign_or_direction(text))
-}
-
-/// True of what stands in a bracket and is no unit: `+`, `-1`, `positive down`, `UD`.
-fn is_sign_or_direction(text: &str) -> bool {
-    let is_unit = Units::are_meant(text) || is_length(text) || Clock::named(text).is_some();
-    let is_sign = || text.chars().all(|c| c.is_whitespace() || "+-\u{2212}/".contains(c));
-    let states = || polarity::stated(text).is_some() || Component::named(text).is_some();
-    !is_unit && (is_sign() || number(text).is_some() || states())
-}
-
 /// The parts of a column's name, its brackets left out: `EW`, `acc` of `EW_acc (g)`.
-fn parts(name: &str) -> Vec<String> {
+pub(super) fn parts(name: &str) -> Vec<String> {
     let plain = without_brackets(name).to_lowercase();
     let apart = |c: char| c.is_whitespace() || matches!(c, '_' | '.' | '-' | '/' | ':');
     plain.split(apart).filter(|part| !part.is_empty()).map(String::from).collect()
@@ -156,117 +151,10 @@ pub(super) fn is_length(text: &str) -> bool {
     units.contains(&&*text.trim().to_lowercase())
 }
 
-/// True of names of columns of which all but the times are velocities, displacements or spectra, by their words or by
-/// their units.
-pub(super) fn are_integrals(line: &str) -> bool {
-    let names = columns(line);
-    let measured = |name: &str| bracket(name).is_some_and(is_length);
-    if let Some(name) = lone_column(line) {
-        return says_integral(&name) || measured(&name);
-    }
-    if let [name] = &names[..] {
-        // A word alone may be a place.
-        let is_name = line.contains(['(', '[', '_']);
-        let directed = || super::directions::of_column(name).is_some();
-        return is_name && (says_integral(name) || measured(name) && directed());
-    }
-    let is_acceleration = names.iter().any(|name| says_acceleration(name));
-    if !is_acceleration
-        && names.iter().any(|name| says_integral(name))
-        && names.iter().any(|name| measured(name))
-    {
-        return in_brackets(line).iter().all(|text| Units::named(text).is_none());
-    }
-    names.len() > 1
-        && names.len() <= 12
-        && names.iter().any(|name| says_integral(name))
-        && names.iter().all(|name| says_integral(name) || TIMES.contains(&&*parts(name).join(" ")))
-}
-
-/// True of a column's name that is an acceleration's or a direction's, and nothing besides.
-pub(super) fn is_channel(name: &str) -> bool {
-    let other = says_integral(name) || TIMES.contains(&&*name.trim().to_lowercase());
-    !other && (says_acceleration(name) || super::directions::of_column(name).is_some())
-}
-
 /// The word of a name that tells its direction: the last one before its bracket, `NS` of `acc_NS (g)`.
 pub(super) fn direction(name: &str) -> &str {
     let end = name.find(['(', '[']).unwrap_or(name.len());
     tokens(&name[..end]).last().unwrap_or_default()
-}
-
-/// The words of the units of an acceleration: in brackets, `time (s), acc (cm/s^2)`; `acceleration in g`; `units: gal`.
-pub(super) fn units(words: &str) -> Option<String> {
-    let lower = words.to_lowercase();
-    let is_time = |text: &str| Clock::named(text).is_some();
-    // Brackets may hold anything.
-    let bracket = in_brackets(words)
-        .into_iter()
-        .rev()
-        .find(|text| !is_time(text) && Units::are_meant(text))
-        .map(String::from);
-    let within = || {
-        let words = lower.get(lower.rfind(" in ")? + 4..)?.trim();
-        Units::are_meant(words).then(|| words.to_string())
-    };
-    // In a name of a column: `acc_gal`.
-    let named = || {
-        lower.split([' ', ',', ';', '\t', '"']).find_map(|name| {
-            let (_, unit) = name.rsplit_once('_').filter(|_| is_acceleration(name))?;
-            Units::named(unit).map(|_| unit.to_string())
-        })
-    };
-    bracket.or_else(|| after_units(words)).or_else(within).or_else(named).or_else(|| {
-        // A row of units below one of names: `s;m/s2`.
-        let fields: Vec<&str> = tokens(words).collect();
-        match fields[..] {
-            [time, unit] if is_time(time) && Units::are_meant(unit) => Some(unit.to_string()),
-            _ => None,
-        }
-    })
-}
-
-/// The words of the units behind a key: `Units: g, dt = 0.01`.
-pub(super) fn after_units(words: &str) -> Option<String> {
-    let lower = words.to_lowercase();
-    let at = ["units:", "units =", "units=", "unit:", "unit =", "unit=", "units are ", "units "]
-        .iter()
-        .find_map(|key| Some(lower.find(key)? + key.len()))?;
-    // Lower case may be longer.
-    let rest = if lower.len() == words.len() { words.get(at..)? } else { lower.get(at..)? };
-    rest.split([',', ';', '|']).find_map(|piece| {
-        let fields: Vec<&str> = piece.split_whitespace().collect();
-        (1..=fields.len().min(5)).rev().find_map(|count| {
-            let first = fields[..count].join(" ");
-            let last = fields[fields.len() - count..].join(" ");
-            [first, last].into_iter().find(|words| Units::are_meant(words))
-        })
-    })
-}
-
-/// The unit of the times that the name of their column has: `Time (ms)`, `t [min]`, `time in ms`, `time_ms`. Words that
-/// are no known one stand there as an error.
-pub(super) fn clock(words: &str) -> Option<Result<Clock, String>> {
-    let words = words.trim().trim_start_matches('"');
-    let lower = words.to_lowercase();
-    let fields: Vec<&str> = tokens(&lower).collect();
-    if let [time, unit] = fields[..]
-        && Units::are_meant(unit)
-        && let Some(clock) = Clock::named(time.trim_matches(['(', ')', '[', ']']))
-    {
-        return Some(Ok(clock));
-    }
-    let end = lower.find(|c: char| !c.is_alphabetic()).unwrap_or(lower.len());
-    let rest = TIMES.contains(&&lower[..end]).then(|| lower[end..].trim_start_matches(' '))?;
-    if let Some(inside) = rest.strip_prefix(['(', '[']) {
-        let inside = inside.split([')', ']']).next().unwrap_or_default();
-        let unit = inside.split_whitespace().next().unwrap_or_default();
-        return Some(Clock::named(unit).ok_or_else(|| inside.trim().to_string()));
-    }
-    let unit = rest.strip_prefix("in ").or(rest.strip_prefix(['_', '/'])).unwrap_or(rest);
-    let word = unit.split(|c: char| !c.is_alphabetic()).next().unwrap_or_default();
-    // A bare h may be a direction.
-    Clock::named(word).filter(|_| word.len() > 1 || word == "s").map(Ok)
 }
 
 #[cfg(test)]
@@ -274,41 +162,20 @@ mod tests {
     use super::*;
 
     #[test]
-    fn units_of_times_are_those_of_their_column() {
-        for (words, wanted) in [
-            ("Time (ms), Acc (g)", "ms"),
-            ("t [ms] a [g]", "ms"),
-            ("time in ms, acc in g", "ms"),
-            ("time_ms,acc_g", "ms"),
-            ("Time (min);a", "min"),
-            ("Time [msec] Acc", "ms"),
-            ("ms;m/s2", "ms"),
-            ("time (s) acc", "s"),
-        ] {
-            assert_eq!(clock(words).unwrap().unwrap().word, wanted, "{words}");
-        }
-        assert_eq!(clock("time (ticks) acc (g)"), Some(Err("ticks".into())));
-        for words in ["time acc", "t h", "acc (ms)", "timer (ms)", "time, ms/s2"] {
-            assert_eq!(clock(words), None, "{words}");
-        }
+    fn columns_are_named_without_numbers() {
+        assert!(names_columns("time acc(g)") && !names_columns("PGA acceleration: 0.3 (g)"));
     }
 
     #[test]
-    fn units_stand_behind_their_key_whatever_follows() {
-        for (words, wanted) in [
-            ("units: gal", "gal"),
-            ("Units: cm/s^2", "cm/s^2"),
-            ("Units = m/s2, dt = 0.01", "m/s2"),
-            ("units: g dt 0.01", "g"),
-            ("units: time s, acc g", "g"),
+    fn units_in_brackets_are_no_part_of_a_name() {
+        for (line, plain) in [
+            ("g acc (g)", "g acc  "),
+            ("UD (m/s2) (down)", "UD   (down)"),
+            ("UP [m/(s^2)], + down", "UP  unit , + down"),
+            ("NS (x1000)", "NS (x1000)"),
+            ("acc (g", "acc  "),
         ] {
-            assert_eq!(units(words).as_deref(), Some(wanted), "{words}");
+            assert_eq!(without_units(line), plain, "{line}");
         }
-        assert_eq!(units("s;m/s2").as_deref(), Some("m/s2"));
-        assert_eq!(units("time_ms,acc_g").as_deref(), Some("g"));
-        for words in ["recorded in a building", "time,acc_v", "acc_ns"] {
-            assert_eq!(units(words), None, "{words}");
-        }
-        assert!(names_columns("time acc(g)") && !names_columns("PGA acceleration: 0.3 (g)"));
     }
 }

@@ -2,3 +2,4 @@
 
 mod motions;
 mod several;
+mod signs;
