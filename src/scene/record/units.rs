@@ -84,7 +84,7 @@ impl Units {
 
     /// True of a known unit with a factor before or behind it, which makes it another one: `1e-3 g`, `g/1000`, `micro g`. A
     /// number alone before it is a factor if it converts units; else it may be a peak, as of `0.35 g`.
-    pub fn has_factor(text: &str) -> bool {
+    pub(super) fn has_factor(text: &str) -> bool {
         let is_known = |text: &str| Units::named(text).is_some();
         let may_be = text.contains(|c: char| c.is_numeric())
             || text
