@@ -30,7 +30,7 @@ pub fn sweep(
     cells: &[usize],
     observer: &dyn Observer,
 ) -> Vec<Outcome> {
-    lanes::sweep(&CellRun::of(plan, grid, cells, precision), observer, Level::new())
+    lanes::sweep(&CellRun::of(plan, grid, cells, precision), observer, Level::new()).to_outcomes()
 }
 
 /// The same with one cell at a time: vectors of one lane.

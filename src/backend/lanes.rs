@@ -30,7 +30,7 @@ struct ThreadFeed<'a, R> {
     /// See [`by_motions`]; without shared motions the order of the list.
     order: Option<&'a [u32]>,
     queue: &'a AtomicUsize,
-    outcomes: &'a Mutex<Vec<Outcome>>,
+    outcomes: &'a Mutex<Block>,
     taken: Range<usize>,
     ended: Vec<(usize, Outcome)>,
 }
@@ -41,13 +41,12 @@ impl<R: Real> ThreadFeed<'_, R> {
         self.observer.advance(self.ended.len());
         // If a thread panicked here, it has stored complete outcomes only.
         let mut outcomes = self.outcomes.lock().unwrap_or_else(PoisonError::into_inner);
-        for (number, outcome) in self.ended.drain(..) {
-            outcomes[number] = outcome;
-        }
+        outcomes.place(&self.ended);
+        self.ended.clear();
         if let Some(snapshots) = self.run.snapshots
             && (snapshots.due)()
         {
-            (snapshots.take)(Block::of_outcomes(&outcomes, R::PRECISION));
+            (snapshots.take)(outcomes.clone());
         }
     }
 }
@@ -85,21 +84,21 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
 
 /// Runs cells on all cores with the vectors of a level, once each; `observer` is told of cells that are done. The
 /// function is not generic, so that its callers do not compile all kinds of vectors again.
-pub fn sweep(run: &CellRun, observer: &dyn Observer, level: Level) -> Vec<Outcome> {
+pub fn sweep(run: &CellRun, observer: &dyn Observer, level: Level) -> Block {
     match run.precision {
         Precision::F32 => on_lanes::<f32>(run, observer, level),
         Precision::F64 => on_lanes::<f64>(run, observer, level),
     }
 }
 
-fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Vec<Outcome> {
+fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Block {
     let CellRun { plan, grid, ref cells, .. } = *run;
     let record = plan.record::<R>();
     let all = Cells::of(plan, grid, cells, &record, observer);
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
     let order = all.of_motions.as_ref().map(|motions| install(|| by_motions(motions, grid, cells)));
     let queue = AtomicUsize::new(0);
-    let outcomes = Mutex::new(vec![Outcome::PENDING; cells.len()]);
+    let outcomes = Mutex::new(Block::pending(cells.len(), R::PRECISION));
     install(|| {
         rayon::broadcast(|_| {
             let mut feed = ThreadFeed {
@@ -126,7 +125,7 @@ fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Ve
         && let Some(snapshots) = run.snapshots
     {
         // The outcomes of cells that are done are kept.
-        (snapshots.take)(Block::of_outcomes(&outcomes, R::PRECISION));
+        (snapshots.take)(outcomes.clone());
     }
     outcomes
 }

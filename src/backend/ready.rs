@@ -182,20 +182,15 @@ impl Backend {
         #[cfg_attr(not(feature = "gpu"), expect(unused_variables, reason = "of a GPU"))]
         times: &mut Times,
     ) -> Result<Block, BackendError> {
-        let outcomes = match self {
-            Backend::Reference => all_by_reference(run, observer),
+        Ok(match self {
+            Backend::Reference => {
+                let outcomes = all_by_reference(run, observer);
+                Block::of_outcomes(&outcomes, self.columns(run.precision))
+            }
             Backend::Cpu => lanes::sweep(run, observer, Level::new()),
             #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => return on_device(gpu, run, observer, times),
-        };
-        let precision = self.columns(run.precision);
-        if observer.cancelled() {
-            // Some cells have not run.
-            return Ok(Block::of_outcomes(&outcomes, precision));
-        }
-        let mut block = Block::pending(outcomes.len(), precision);
-        install(|| block.fill(0, outcomes.len(), |cells, some| some.extend(&outcomes[cells])));
-        Ok(block)
+            Backend::Gpu(gpu) => on_device(gpu, run, observer, times)?,
+        })
     }
 }
 

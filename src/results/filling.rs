@@ -39,6 +39,22 @@ impl Block {
         with_columns!(self, columns => columns.slots(cells).put(0, outcomes));
     }
 
+    /// Takes outcomes, each to its place.
+    pub fn place(&mut self, outcomes: &[(usize, Outcome)]) {
+        fn place<C: ColumnType, F: ColumnNumber>(
+            to: &mut Columns<F>,
+            outcomes: &[(usize, Outcome)],
+        ) {
+            let values = C::values_mut(to);
+            for (place, cell) in outcomes {
+                values[*place] = C::of(cell).stored::<F>();
+            }
+        }
+        for column in Column::ALL {
+            with_column!(column, C => with_columns!(self, to => place::<C, _>(to, outcomes)));
+        }
+    }
+
     /// Takes the outcomes of a given number of cells from a place on, by all threads; `of` adds those of some cells, by their
     /// numbers among them, to a list. They stay in a fast cache until they are in their columns.
     pub fn fill(
@@ -152,6 +168,22 @@ mod tests {
                 expected[5 + cell] = outcome(cell);
             }
             assert_eq!(filled, Block::of_outcomes(&expected, Precision::F64));
+        }
+    }
+
+    /// Outcomes are taken to their places, in any order.
+    #[test]
+    fn outcomes_are_placed() {
+        for precision in [Precision::F32, Precision::F64] {
+            let mut placed = Block::pending(9, precision);
+            let mut expected = vec![Outcome::PENDING; 9];
+            for (cell, place) in [8, 1, 2, 0].into_iter().enumerate() {
+                placed.place(&[(place, outcome(cell))]);
+                expected[place] = outcome(cell);
+            }
+            placed.place(&[(4, outcome(4)), (3, outcome(5))]);
+            (expected[4], expected[3]) = (outcome(4), outcome(5));
+            assert_eq!(placed, Block::of_outcomes(&expected, precision));
         }
     }
 

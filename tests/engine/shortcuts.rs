@@ -22,7 +22,7 @@ use topple::stepping::outcome::{Class, Outcome, Status};
 use topple::stepping::reference::system::{DPHI, DU, DV, Pole, System, U, V, Z};
 use topple::stepping::reference::{self, Settings};
 use topple::stepping::single;
-use topple::stepping::state::{FINISHED, PROVED};
+use topple::stepping::state::{FINISHED, PROVED, State};
 use topple::work::observer::Unwatched;
 
 use crate::common::{all, gpu, object, say, scene, synthetic_pair, under};
@@ -197,8 +197,11 @@ fn nothing_grows(name: &str, scene: &Scene, asked: Asked) -> [usize; 2] {
         }
         let angles =
             [state.max_phi_left - then.max_phi_left, state.max_phi_right - then.max_phi_right];
-        let ways =
-            [state.max_u - then.max_u, then.least_v - state.least_v, state.most_v - then.most_v];
+        // What a table has of v: the largest way from the static position, and that from the unloaded spring.
+        let largest =
+            |end: &State<f64>, from: f64| (end.least_v - from).abs().max((end.most_v - from).abs());
+        let grown = |from: f64| largest(&state, from) - largest(&then, from);
+        let ways = [state.max_u - then.max_u, grown(0.0), grown(cell.deflection)];
         for (asked, grown) in [(asked.angles, &angles[..]), (asked.displacements, &ways[..])] {
             let other = asked && grown.iter().any(|more| more.abs() > 1e-9);
             assert!(!other, "{name}, {:?}: {grown:?}", grid.case(index));
@@ -256,6 +259,22 @@ fn kicks_in_resonance_with_a_heavy_base_are_seen() {
          [run]\ntilt = 0.00980907\nt_max = 150\n",
     );
     nothing_grows("kicks in resonance", &slender, Asked::ALL);
+}
+
+/// A block that falls back from a small tilt on a vertical base that nothing else moves: the heights of its flights set its
+/// least and largest v.
+#[test]
+fn flights_that_move_a_base_at_rest_are_seen() {
+    for plate in [0.05, 0.5, 5.0] {
+        let tilted = scene(&format!(
+            "[block]\nslenderness = 2\nsize = 1\nmass = 1\nplate_v = {plate}\n\
+             [base]\nisolation = \"vertical\"\nt_v = \"0.05:3:60\"\nxi_v = 0.0005\n\
+             [pulse]\nomega = 200\na_h = 1e-6\n[run]\ntilt = \"0.0003,0.001,0.01,0.05\"\nt_max = 60\n"
+        ));
+        let name = format!("flights on a base at rest, m_v = {plate} M");
+        let [proved, _] = nothing_grows(&name, &tilted, Asked::ALL);
+        assert!(proved > 60, "{name}: {proved}");
+    }
 }
 
 /// Most impacts of a block that stays up are left out: those of flights that can reach nothing new.
