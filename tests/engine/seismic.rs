@@ -286,7 +286,7 @@ fn the_ground_is_linear_between_samples() {
         let fraction = t / clock.step_forced - f64::from(step);
         assert!((ground_at(&set, step, fraction).h - a).abs() < 1e-9, "t = {t}");
     }
-    let outcomes = cpu::sweep(Precision::F32, &plan, &Grid::of(&scene), &[0], &Unwatched);
+    let outcomes = cpu::sweep(Precision::F64, &plan, &Grid::of(&scene), &[0], &Unwatched);
     assert_eq!(outcomes[0].class, Class::FullContact);
     assert_eq!(outcomes[0].t_end, 0.06);
 }
