@@ -22,7 +22,8 @@ use crate::work::threads::install;
 const BLOCK: usize = 16;
 
 /// Runs cells of a grid on all cores, once each, on the widest vectors of this machine; `observer` is told of cells
-/// that are done.
+/// that are done. Their numbers are those of the columns, as wide as the number type; those of [`sweep_one_by_one`] are not
+/// rounded to it.
 pub fn sweep(
     precision: Precision,
     plan: &Plan,
