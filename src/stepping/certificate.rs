@@ -42,7 +42,7 @@ pub const MARGIN: f64 = 1.0e-3;
 /// P - H, the height that the centre of mass has gained at an angle phi >= 0 about a corner, m: no less
 /// than this, by sin phi >= phi - phi^3/6 and 1 - cos phi <= phi^2/2 - phi^4/24 + phi^6/720.
 #[inline(always)]
-pub(super) fn least_rise<N: Number>(set: &CellEquations<N>, corner: &Corner<N>, phi: N) -> N {
+fn least_rise<N: Number>(set: &CellEquations<N>, corner: &Corner<N>, phi: N) -> N {
     let (one, half, t) = (phi.like(1.0), phi.like(0.5), phi * phi);
     let arm = corner.arm * (one - t * t.like(1.0 / 6.0));
     let height = set.model.height * (one - t * t.like(1.0 / 12.0) * (one - t * t.like(1.0 / 30.0)));

@@ -27,8 +27,8 @@
 //! By (15b), v + mu_v (P - H) moves as v would move without the flights, under a spring that is shifted by
 //! mu_v (P - H). As the flights are short, v follows their mean height, which decreases from impact to impact; their
 //! changes, where they are in resonance with v, add little as long as the impacts take energy. So v differs by at
-//! most `moved` from its motion without flights (the same test), its velocity by `kick`, and the vertical force by
-//! what these make of the spring and the damper. u is bounded by the energy, as above.
+//! most `moved` from its motion without flights (`an_oscillator_moves` in the same file), its velocity by `kick`, and the
+//! vertical force by what these make of the spring and the damper. u is bounded by the energy, as above.
 
 use crate::model::CellEquations;
 use crate::model::block::Corner;
