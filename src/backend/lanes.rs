@@ -13,8 +13,9 @@ use crate::model::precision::Precision;
 use crate::model::real::Real;
 use crate::results::block::Block;
 use crate::stepping::lanes::{Feed, Job, Lanes, Shared};
+use crate::stepping::long_step::LongSteps;
 use crate::stepping::outcome::Outcome;
-use crate::stepping::phases::Phases;
+use crate::stepping::phases::{Phases, RecordFeed};
 use crate::work::observer::Observer;
 use crate::work::threads::install;
 use crate::work::vectors::vectorized;
@@ -82,6 +83,12 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
     }
 }
 
+impl<R: Real> RecordFeed<R> for ThreadFeed<'_, R> {
+    fn long_steps(&self, number: usize) -> LongSteps<R> {
+        self.all.long_steps(number)
+    }
+}
+
 /// Runs cells on all cores with the vectors of a level, once each; `observer` is told of cells that are done. The
 /// function is not generic, so that its callers do not compile all kinds of vectors again.
 pub fn sweep(run: &CellRun, observer: &dyn Observer, level: Level) -> Block {
@@ -112,7 +119,7 @@ fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Bl
                 ended: Vec::with_capacity(AT_ONCE),
             };
             let zero = R::of(0.0);
-            if shared.variant.recorded {
+            if plan.takes_long_steps() {
                 vectorized!(level, zero => Phases::new(shared, zero).run(&mut feed));
             } else {
                 vectorized!(level, zero => Lanes::new(shared, zero, ()).run(&mut feed));

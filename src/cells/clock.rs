@@ -9,7 +9,7 @@ pub const DEFAULT_STEP: f64 = 1.0 / 128.0;
 /// The fewest steps in the fastest period of a cell. The limit of stability of RK4 is 2.2 steps (omega h = 2.83).
 /// More steps are needed for accuracy, most of all on a stiff vertical isolation: a block on it rocks chaotically,
 /// and the error of a step grows from impact to impact.
-pub const STEPS_A_PERIOD: f64 = 80.0;
+pub const STEPS_A_PERIOD: f64 = 64.0;
 /// The same for periods around [`SHORT_PERIOD`], in f32 and in f64: f32 has fewer, because its rounding errors are
 /// larger.
 pub const FINEST_STEPS_A_PERIOD: [f64; 2] = [160.0, 640.0];
@@ -21,6 +21,10 @@ pub const STIFF_PERIOD: f64 = 1.0 / 64.0;
 /// The fewest steps in a period of a pulse: with so many, the contact forces between the steps, which come from the
 /// stages of RK4 and have errors of third order in the step, are right to a thousandth of the weight.
 pub const STEPS_A_PULSE: f64 = 64.0;
+
+/// The longest step of u while the block stands, over the largest step: u is then an oscillation by itself, of
+/// which [`STEPS_A_PERIOD`] steps lose 5e-6 in each period.
+const STANDING: f64 = 2.0;
 
 /// The longest step times the rate of the fastest motion against an end stop: the spans there are then half of the
 /// switches that a step may hold.
@@ -37,6 +41,8 @@ pub struct Resolution {
     finest_steps_a_period: f64,
     /// The fewest steps in a period of a pulse.
     steps_a_pulse: f64,
+    /// The longest step of u in full contact, over the largest step.
+    standing: f64,
     /// The fewest steps in the yield time alpha_y/(n omega_h) of a Bouc-Wen base.
     steps_a_yield: f64,
     /// All steps that follow from these numbers are divided by this one.
@@ -54,6 +60,7 @@ impl Resolution {
             steps_a_period: STEPS_A_PERIOD,
             finest_steps_a_period: FINEST_STEPS_A_PERIOD[0],
             steps_a_pulse: STEPS_A_PULSE,
+            standing: STANDING,
             steps_a_yield: 1.0,
             divide: 1.0,
             kinks: true,
@@ -67,6 +74,7 @@ impl Resolution {
             steps_a_period: 0.0,
             finest_steps_a_period: 0.0,
             steps_a_pulse: 1.0,
+            standing: 1.0,
             steps_a_yield: 0.0,
             ..Resolution::bounded(step)
         }
@@ -98,6 +106,12 @@ impl Resolution {
         self.largest_step.min(period / steps.max(self.steps_a_period)) / self.divide
     }
 
+    /// Longest step of u in full contact where its fastest period is `period`, s.
+    pub fn longest_standing(&self, period: f64) -> f64 {
+        let largest_step = self.standing * self.largest_step;
+        Resolution { largest_step, ..*self }.longest_step(period)
+    }
+
     /// Longest step of a base that yields, s. z of (11) settles at the rate n |u'|/u_y, which is n omega_h/alpha_y at
     /// the velocity PGA_h/omega_h. RK4 is stable up to a rate of 2.79 steps: with one step per yield time nearly
     /// three times that velocity is possible.
@@ -122,6 +136,8 @@ pub struct Clock {
     pub steps_forced: u32,
     /// Steps between two samples of a record; 1 for a pulse.
     pub substeps: u32,
+    /// The substeps that the cell would have without vertical isolation.
+    pub substeps_h: u32,
     /// Number of steps in all.
     pub steps: u32,
 }

@@ -124,13 +124,16 @@ impl ClockRule<'_> {
         let square = square(0).max(square(1));
         // The fastest period of the cell limits the longest step; it is infinite where nothing oscillates.
         let longest = self.resolution.longest_step(TAU / square.sqrt()).min(h.longest);
-        let (steps_forced, substeps) = match self.excitation {
+        let (steps_forced, substeps, substeps_h) = match self.excitation {
             Excitation::Pulse(_) => {
-                ((span.forced / longest.min(span.longest)).ceil().max(1.0), 1.0)
+                ((span.forced / longest.min(span.longest)).ceil().max(1.0), 1.0, 1.0)
             }
             Excitation::Record(pair) => {
-                let substeps = (pair.dt / longest).ceil().max(1.0);
-                (substeps * (pair.len() - 1) as f64, substeps)
+                let in_gap = |longest: f64| (pair.dt / longest).ceil().max(1.0);
+                let square = h.squares[0].max(h.squares[1]);
+                let alone = self.resolution.longest_standing(TAU / square.sqrt()).min(h.longest);
+                let substeps = in_gap(longest);
+                (substeps * (pair.len() - 1) as f64, substeps, in_gap(alone).min(substeps))
             }
         };
         let free = span.t_max - span.forced;
@@ -142,6 +145,7 @@ impl ClockRule<'_> {
             // `as` saturates; `Plan::new` refuses a scene with so many steps.
             steps_forced: steps_forced as u32,
             substeps: substeps as u32,
+            substeps_h: substeps_h as u32,
             steps: (steps_forced + steps_free) as u32,
         }
     }

@@ -227,6 +227,12 @@ impl Plan {
         self.laws.shares_contact() && !self.asked.accelerations
     }
 
+    /// True where blocks that stand take long steps.
+    pub fn takes_long_steps(&self) -> bool {
+        let recorded = self.scene.excitation.record().is_some();
+        recorded && self.shortcuts.full_contact && self.shares_contact()
+    }
+
     /// The rule from which the clocks of its cells follow.
     pub(crate) fn clock_rule(&self) -> ClockRule<'_> {
         let Plan { resolution, shortcuts, .. } = *self;

@@ -15,6 +15,7 @@ use crate::model::block::Model;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::real::Real;
 use crate::scene::Grid;
+use crate::stepping::long_step::LongSteps;
 use crate::stepping::outcome::Outcome;
 use crate::stepping::state::State;
 use crate::work::observer::Observer;
@@ -55,6 +56,15 @@ impl<'a, R: Real> Cells<'a, R> {
     pub fn begin(&self, number: usize) -> (Cell<R>, State<R>) {
         let cell = self.tables.cell(number);
         begin(&self.tables, self.motions_of(&cell), &cell)
+    }
+
+    /// The long steps of a cell under a record, by its number in the list.
+    #[inline(never)]
+    pub fn long_steps(&self, number: usize) -> LongSteps<R> {
+        let cell = self.tables.cell(number);
+        let (clock, vertical) = (self.tables.clock(&cell), self.tables.vertical.at(&cell));
+        let base = [vertical.stiffness_v, vertical.damping_v].map(R::to_f64);
+        LongSteps::of(clock.step_forced, [clock.substeps, clock.substeps_h], base)
     }
 
     /// The motions that a cell shares, if it does.

@@ -1,134 +1,154 @@
-//! Two sets of lanes, one for blocks that rock and one for blocks that stand: a turn in which no block rocks costs
-//! less than one in which some block does. Under a record most turns are of blocks that stand again. A cell changes
-//! its set between two steps, and has the same result in either set.
+//! Two sets of lanes under a record: one for blocks that stand, which take [long steps](super::long_step), and one for
+//! all others. Where a cell changes its set depends on this cell alone.
 
 use super::lanes::{Feed, Job, Lanes, Shared, TURNS, each};
+use super::long_step::LongSteps;
 use crate::model::real::{Real, Vector};
 
-/// The number of turns for which a block has stood before it leaves the set of rocking blocks: a block that lifts
-/// again at once would change its set too often.
-const STOOD: f64 = 32.0;
+/// The number of turns for which a block has stood before it takes long steps: a block that lifts again at
+/// once would change its set too often.
+const STOOD: f64 = 4.0;
 
-/// Lanes, the cells that wait for one, and the number of turns for which the block of each lane has not rocked.
+/// The source of cells under a record.
+pub trait RecordFeed<R>: Feed<R> {
+    /// The long steps of a cell, by its number in the queue.
+    fn long_steps(&self, number: usize) -> LongSteps<R>;
+}
+
+/// Lanes and the cells that wait for one.
 struct Set<'a, V: Vector> {
     lanes: Lanes<'a, V>,
     waiting: Vec<Job<V::Element>>,
-    stood: V,
 }
 
 impl<'a, V: Vector> Set<'a, V> {
     #[inline(always)]
     fn new(shared: Shared<'a, V::Element>, zero: V) -> Set<'a, V> {
-        Set { lanes: Lanes::new(shared, zero, ()), waiting: Vec::new(), stood: zero }
+        Set { lanes: Lanes::new(shared, zero, ()), waiting: Vec::new() }
     }
 
     fn is_full(&self) -> bool {
         self.lanes.running().count_ones() as usize == V::LANES
     }
 
-    /// The number of cells on its lanes and of those that wait.
-    fn cells(&self) -> usize {
-        self.lanes.running().count_ones() as usize + self.waiting.len()
-    }
-
     fn is_empty(&self) -> bool {
         self.lanes.running() == 0
     }
 
-    /// Gives the waiting cells to lanes without a cell.
+    /// Gives the waiting cells to lanes without a cell; `begin` is handed each lane and the number of its cell.
     #[inline(always)]
-    fn fill(&mut self) {
+    fn fill(&mut self, mut begin: impl FnMut(usize, usize)) {
         while !self.is_full()
             && let Some(job) = self.waiting.pop()
         {
             let lane = self.lanes.running().trailing_ones() as usize;
-            self.stood.put(lane, V::Element::of(0.0));
+            begin(lane, job.number);
             self.lanes.load(lane, job);
         }
     }
 
-    /// A turn of all lanes. The result is the cells that have ended.
+    /// Removes the cells from some lanes that are at the start of a step, before any switch: there the data of a lane
+    /// that are not part of its state are at their initial values.
     #[inline(always)]
-    fn turn(&mut self, feed: &mut impl Feed<V::Element>) {
-        for lane in each(self.lanes.advance()) {
+    fn part(&mut self, lanes: u64, to: &mut Vec<Job<V::Element>>) {
+        to.extend(each(lanes).map(|lane| self.lanes.take(lane)));
+    }
+
+    /// Hands over the cells of some lanes, which have ended.
+    #[inline(always)]
+    fn end(&mut self, lanes: u64, feed: &mut impl Feed<V::Element>) {
+        for lane in each(lanes) {
             feed.done(&self.lanes.take(lane));
         }
-    }
-
-    /// Removes the cells from some lanes that are at the start of a step under excitation, before any switch: there
-    /// the data of a lane that are not part of its state are at their initial values.
-    #[inline(always)]
-    fn part(&mut self, lanes: V::Mask, to: &mut Vec<Job<V::Element>>) {
-        let unswitched = self.stood.like(0.0).ge(self.lanes.events);
-        let lanes = V::bits(lanes & self.lanes.between_steps() & unswitched);
-        to.extend(each(lanes & self.lanes.forcing.forced).map(|lane| self.lanes.take(lane)));
-    }
-
-    /// The lanes whose block has stood for long.
-    #[inline(always)]
-    fn has_stood(&mut self) -> V::Mask {
-        let stands = !self.lanes.rocking;
-        let (zero, one) = (self.stood.like(0.0), self.stood.like(1.0));
-        self.stood = V::select(stands, self.stood + one, zero);
-        stands & self.stood.ge(one.like(STOOD))
     }
 }
 
 /// The cells of a thread, by their phases.
 pub struct Phases<'a, V: Vector> {
-    rocking: Set<'a, V>,
+    /// Cells that go turn by turn.
+    turning: Set<'a, V>,
+    /// The number of turns for which the block of each of these lanes has stood.
+    stood: V,
+    /// Cells that take long steps.
     standing: Set<'a, V>,
+    long: LongSteps<V>,
 }
 
 impl<'a, V: Vector> Phases<'a, V> {
     /// Lanes without cells; `zero` selects the kind of vector.
     #[inline(always)]
     pub fn new(shared: Shared<'a, V::Element>, zero: V) -> Phases<'a, V> {
-        Phases { rocking: Set::new(shared, zero), standing: Set::new(shared, zero) }
+        let [turning, standing] = [Set::new(shared, zero), Set::new(shared, zero)];
+        Phases { turning, stood: zero, standing, long: LongSteps::none(zero) }
     }
 
-    /// Runs all cells of a feed. They begin in the set of rocking blocks, where they soon lift or which they leave.
+    /// Runs all cells of a feed. They begin turn by turn: many of them lift soon.
     #[inline(always)]
-    pub fn run(&mut self, feed: &mut impl Feed<V::Element>) {
-        let Phases { rocking, standing } = self;
-        let mut turns = 0_u32;
+    pub fn run(&mut self, feed: &mut impl RecordFeed<V::Element>) {
+        let mut rounds = 0_u32;
         let mut more = true;
         loop {
-            standing.fill();
-            rocking.fill();
-            while more && !rocking.is_full() {
+            self.fill(feed);
+            while more && !self.turning.is_full() {
                 let job = feed.next_running();
                 more = job.is_some();
-                rocking.waiting.extend(job);
-                rocking.fill();
+                self.turning.waiting.extend(job);
+                self.fill(feed);
             }
-            if rocking.is_empty() && standing.is_empty() {
+            if self.turning.is_empty() && self.standing.is_empty() {
                 return;
             }
-            turns = turns.wrapping_add(1);
-            if turns.is_multiple_of(TURNS) && feed.cancelled() {
+            rounds = rounds.wrapping_add(1);
+            if rounds.is_multiple_of(TURNS) && feed.cancelled() {
                 return;
             }
-            // While there are more cells, standing blocks wait until all lanes have one. The last cells do not wait,
-            // and are joined when one set has lanes for all of them.
-            let together = !more && rocking.cells() + standing.cells() <= V::LANES;
-            let stand = standing.is_full() || (!more && !standing.is_empty());
+            // While there are more cells, standing blocks wait until all lanes have one.
+            let stand = self.standing.is_full() || (!more && !self.standing.is_empty());
             if stand {
-                standing.turn(feed);
-                let lanes = &standing.lanes;
-                let leaves = if together { lanes.start.mask(u64::MAX) } else { lanes.rocking };
-                if V::any(leaves) {
-                    standing.part(leaves, &mut rocking.waiting);
-                }
+                self.stand(feed);
             }
-            let waits = stand && more;
-            if !waits && !rocking.is_empty() {
-                rocking.turn(feed);
-                if !together {
-                    let leaves = rocking.has_stood();
-                    rocking.part(leaves, &mut standing.waiting);
-                }
+            if !(stand && more) && !self.turning.is_empty() {
+                self.turn(feed);
             }
         }
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, feed: &impl RecordFeed<V::Element>) {
+        let Phases { turning, stood, standing, long } = self;
+        turning.fill(
+            #[inline(always)]
+            |lane, _| stood.put(lane, V::Element::of(0.0)),
+        );
+        standing.fill(
+            #[inline(always)]
+            |lane, number| long.put(lane, &feed.long_steps(number)),
+        );
+    }
+
+    /// A long step of all lanes whose block stands. Cells that did not move, and those at the end of the record, go on
+    /// turn by turn.
+    #[inline(always)]
+    fn stand(&mut self, feed: &mut impl Feed<V::Element>) {
+        let Phases { turning, standing, long, .. } = self;
+        let [moved, ended] = standing.lanes.stand_long(long);
+        standing.end(ended, feed);
+        let stay = moved & standing.lanes.forcing.forced;
+        standing.part(standing.lanes.running() & !stay, &mut turning.waiting);
+    }
+
+    /// A turn of all other lanes. Cells whose block has stood for long at the start of a gap take long steps from then on.
+    #[inline(always)]
+    fn turn(&mut self, feed: &mut impl Feed<V::Element>) {
+        let Phases { turning, stood, standing, .. } = self;
+        let ended = turning.lanes.advance();
+        turning.end(ended, feed);
+        let lanes = &turning.lanes;
+        let (zero, one) = (stood.like(0.0), stood.like(1.0));
+        *stood = V::select(lanes.rocking, zero, *stood + one);
+        let at_gap = zero.ge(lanes.forcing.done) & zero.ge(lanes.events) & lanes.between_steps();
+        let ready = !lanes.rocking & stood.ge(one.like(STOOD)) & at_gap;
+        let ready = V::bits(ready) & lanes.forcing.forced & lanes.running();
+        turning.part(ready, &mut standing.waiting);
     }
 }

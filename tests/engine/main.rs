@@ -14,6 +14,7 @@ mod extremes;
 mod free_standing;
 mod lanes;
 mod lists;
+mod long_steps;
 mod manifest;
 mod physics;
 mod pulses;

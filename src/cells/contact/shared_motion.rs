@@ -12,8 +12,8 @@ use crate::scene::Case;
 use crate::stepping::extremes::{bend, crest};
 use crate::stepping::state::State;
 
-/// The share of its largest value by which an acceleration may exceed its values at the ends of steps: at 80 steps
-/// per period it is at most 8e-4.
+/// The share of its largest value by which an acceleration may exceed its values at the ends of steps: at 64 steps
+/// per period it is at most 1.2e-3.
 pub(crate) const SLACK: f64 = 2.0e-3;
 /// The share of the weight, or of the largest |X|, by which the parabolas through parts of a gap may miss an extremum
 /// there. A faster motion is not shared.

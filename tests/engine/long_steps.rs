@@ -1,0 +1,192 @@
+//! Long steps of blocks that stand under a record, against their turns and the reference.
+
+use topple::backend::cpu;
+use topple::cells::clock::DEFAULT_STEP;
+use topple::cells::plan::Plan;
+use topple::model::precision::Precision;
+use topple::scene::{GRAVITY, Grid, Parameter, Range, Scene};
+use topple::stepping::long_step::{LONG_STEPS_A_PERIOD, LongSteps, Swing};
+use topple::stepping::outcome::{Class, Outcome};
+use topple::stepping::reference::{self, Settings};
+use topple::work::observer::Unwatched;
+
+use crate::common::{all, say, scene, synthetic_pair, under};
+
+/// Points of an axis.
+const SIDE: u32 = 24;
+
+/// Object 1 under the synthetic record on a base of these lines.
+fn shaken(base: &str) -> Scene {
+    let mut scene = scene(&format!(
+        "[block]\nobject = 1\neccentricity = -0.4\n[base]\n{base}\n[pulse]\nomega = 5\na_h = 1\n"
+    ));
+    under(&mut scene, synthetic_pair());
+    scene
+}
+
+/// Every kind of base on which blocks take long steps, and ranges of its periods. Below T_v = 0.3 s a block that rocks
+/// moves chaotically, and any error decides cells.
+fn bases() -> Vec<(&'static str, Scene)> {
+    let periods = |base: &str, t_h: Option<[f64; 2]>, t_v: Option<[f64; 2]>| {
+        let mut scene = shaken(base);
+        for (parameter, range) in [(Parameter::TH, t_h), (Parameter::TV, t_v)] {
+            if let Some([from, to]) = range {
+                scene.set(parameter, Range::even(from, to, SIDE));
+            }
+        }
+        scene
+    };
+    let dual = "t_h = 1.0\nt_v = 1.0\n";
+    let linear = format!("{dual}psi = 1.0\n");
+    let steep = format!("{dual}bouc_wen_n = 5\nalpha_y = 0.05\n");
+    let creeping = format!("{dual}xi_v = 1.5\n");
+    let weak = "isolation = \"none\"\n";
+    let (only_h, only_v) =
+        ("isolation = \"horizontal\"\nt_h = 1.0\n", "isolation = \"vertical\"\nt_v = 1.0\n");
+    let (h, v) = (Some([0.5, 4.0]), Some([0.3, 2.0]));
+    let mut ground = periods(weak, None, None);
+    ground.set(Parameter::Scale, Range::even(0.2, 0.9, SIDE));
+    vec![
+        ("dual", periods(dual, h, v)),
+        ("linear", periods(&linear, h, v)),
+        ("n = 5", periods(&steep, h, v)),
+        ("overdamped", periods(&creeping, h, v)),
+        ("horizontal", periods(only_h, h, None)),
+        ("vertical", periods(only_v, None, v)),
+        ("none", ground),
+    ]
+}
+
+fn sweep(plan: &Plan, grid: &Grid, precision: Precision) -> Vec<Outcome> {
+    cpu::sweep(precision, &plan.at(precision), grid, &all(grid), &Unwatched)
+}
+
+/// The values of the cells that rock, their errors against the reference: the median and the largest.
+fn errors(cells: &[(Outcome, Outcome)], value: fn(&Outcome) -> f64) -> [f64; 2] {
+    let mut errors: Vec<f64> = cells.iter().map(|(a, b)| (value(a) - value(b)).abs()).collect();
+    errors.sort_by(f64::total_cmp);
+    [errors[errors.len() / 2], errors[errors.len() - 1]]
+}
+
+/// No outcome changes, and the errors against the reference are those of the turns. An error of 1e-6 of a metre, of a
+/// radian, of the weight or of a share is allowed to long steps: their cubics miss a force by 4e-6 of the part of it that oscillates.
+#[test]
+fn long_steps_have_the_errors_of_turns() {
+    for (name, scene) in bases() {
+        let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
+        let mut turns = plan.clone();
+        turns.shortcuts.full_contact = false;
+        assert!(plan.takes_long_steps() && !turns.takes_long_steps(), "{name}");
+        let long = sweep(&plan, &grid, Precision::F64);
+        let short = sweep(&turns, &grid, Precision::F64);
+        let classes = |cells: &[Outcome]| cells.iter().map(|cell| cell.class).collect::<Vec<_>>();
+        assert_eq!(classes(&long), classes(&short), "{name}");
+        assert_ne!(long, short, "{name}: no block took a long step");
+        // Some cells that rock and some that stand, because the reference is slow.
+        let of = |class| {
+            let cells = long.iter().enumerate().filter(move |(_, cell)| cell.class == class);
+            cells.map(|(index, _)| index)
+        };
+        let rock = of(Class::Rocking).step_by(5).take(12);
+        let stand = of(Class::FullContact).step_by(37).take(4);
+        let judged: Vec<usize> = rock.chain(stand).collect();
+        assert!(judged.len() >= 3, "{name}");
+        let truth: Vec<Outcome> = judged
+            .iter()
+            .map(|index| reference::run(&scene, &grid.case(*index), &Settings::default()))
+            .collect();
+        let against = |cells: &[Outcome]| {
+            let pairs = judged.iter().zip(&truth).map(|(index, truth)| (cells[*index], *truth));
+            pairs.collect::<Vec<_>>()
+        };
+        let (long, short) = (against(&long), against(&short));
+        let values: [(&str, fn(&Outcome) -> f64); 5] = [
+            ("zeta", |cell| cell.zeta),
+            ("u", |cell| cell.max_u),
+            ("v", |cell| cell.stroke_v),
+            ("contact", |cell| cell.min_contact / GRAVITY),
+            ("friction", |cell| cell.friction),
+        ];
+        for (what, value) in values {
+            let (ours, theirs) = (errors(&long, value), errors(&short, value));
+            say(&format!(
+                "long steps, {name}, {what}: median {:.1e}, largest {:.1e}; of turns {:.1e}, {:.1e}",
+                ours[0], ours[1], theirs[0], theirs[1]
+            ));
+            // The largest errors are those of a few blocks that rock for long, and differ from step to step.
+            for (most, (ours, theirs)) in [1.1, 2.0].into_iter().zip(ours.into_iter().zip(theirs)) {
+                assert!(ours <= most * theirs + 1.0e-6, "{name}, {what}: {ours:e}, {theirs:e}");
+            }
+        }
+    }
+}
+
+/// The exponential of a matrix by its series, after halvings until the series is short.
+fn exponential(matrix: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    let times = |a: [[f64; 2]; 2], b: [[f64; 2]; 2]| {
+        [0, 1].map(|row| [0, 1].map(|column| a[row][0] * b[0][column] + a[row][1] * b[1][column]))
+    };
+    let halvings = 24;
+    let small = matrix.map(|row| row.map(|number| number / f64::from(1_u32 << halvings)));
+    let mut term = [[1.0, 0.0], [0.0, 1.0]];
+    // The sum without the identity: added at once to it, small terms would be rounded.
+    let mut sum = [[0.0; 2]; 2];
+    for k in 1..12 {
+        term = times(term, small).map(|row| row.map(|number| number / f64::from(k)));
+        sum = [0, 1].map(|row| [0, 1].map(|column| sum[row][column] + term[row][column]));
+    }
+    for _ in 0..halvings {
+        // (1 + s)^2 - 1 = 2 s + s^2.
+        let square = times(sum, sum);
+        sum = [0, 1].map(|r| [0, 1].map(|c| 2.0 * sum[r][c] + square[r][c]));
+    }
+    [[1.0 + sum[0][0], sum[0][1]], [sum[1][0], 1.0 + sum[1][1]]]
+}
+
+#[test]
+fn a_free_oscillation_is_the_exponential_of_its_matrix() {
+    for xi in [0.0, 0.02, 0.1, 0.7, 1.0 - 1.0e-12, 1.0, 1.0 + 1.0e-12, 1.5, 10.0] {
+        for angle in [1.0e-6, 0.1, 1.0, 3.0, 31.0] {
+            let (omega, time) = (7.0, angle / 7.0);
+            let (stiffness, damping) = (omega * omega, 2.0 * xi * omega);
+            let swing = Swing::<f64>::over(time, stiffness, damping);
+            let truth = exponential([[0.0, time], [-stiffness * time, -damping * time]]);
+            let ours = [
+                [swing.v_from_v, swing.v_from_dv * omega],
+                [swing.dv_from_v / omega, swing.dv_from_dv],
+            ];
+            let truth = [[truth[0][0], truth[0][1] * omega], [truth[1][0] / omega, truth[1][1]]];
+            for (ours, truth) in ours.as_flattened().iter().zip(truth.as_flattened()) {
+                assert!((ours - truth).abs() < 1.0e-12, "xi {xi}, angle {angle}: {ours} {truth}");
+            }
+        }
+    }
+    // A base that does not move vertically.
+    let still = Swing::<f64>::over(0.01, 0.0, 0.0);
+    let same = Swing { v_from_v: 1.0, v_from_dv: 0.01, dv_from_v: 0.0, dv_from_dv: 1.0 };
+    assert_eq!(still, same);
+}
+
+/// Long steps fill a gap, resolve the period of v, and are not shorter than the steps of the cell.
+#[test]
+fn long_steps_fill_a_gap() {
+    for substeps in 1..200_u32 {
+        for substeps_h in [1, 2, 3, 7] {
+            for omega in [0.0, 3.0, 30.0, 300.0] {
+                let substeps_h = substeps_h.min(substeps);
+                let step = 0.01 / f64::from(substeps);
+                let long = LongSteps::<f64>::of(step, [substeps, substeps_h], [omega * omega, 0.0]);
+                assert!(long.steps >= 1.0 && long.steps <= f64::from(substeps));
+                if long.steps > 1.0 {
+                    let most = 0.01 / f64::from(substeps_h);
+                    assert!(long.steps * step <= most * 1.000_001);
+                    let angle = omega * long.steps * step;
+                    assert!(angle <= std::f64::consts::TAU / LONG_STEPS_A_PERIOD * 1.000_001);
+                }
+                let whole = (f64::from(substeps) / long.steps).ceil() - 1.0;
+                let last = f64::from(substeps) - whole * long.steps;
+                assert_eq!(long.last, Swing::over(last * step, omega * omega, 0.0));
+            }
+        }
+    }
+}
