@@ -7,7 +7,7 @@ use crate::model::real::{Real, Vector};
 
 /// The number of turns for which a block has stood before it takes long steps: a block that lifts again at
 /// once would change its set too often.
-const STOOD: f64 = 4.0;
+const STOOD: f64 = 8.0;
 
 /// The source of cells under a record.
 pub trait RecordFeed<R>: Feed<R> {
@@ -15,16 +15,22 @@ pub trait RecordFeed<R>: Feed<R> {
     fn long_steps(&self, number: usize) -> LongSteps<R>;
 }
 
+/// A cell, and its long steps from the time on when it first takes them.
+type Walker<R> = (Job<R>, Option<LongSteps<R>>);
+
 /// Lanes and the cells that wait for one.
 struct Set<'a, V: Vector> {
     lanes: Lanes<'a, V>,
-    waiting: Vec<Job<V::Element>>,
+    /// The long steps of the cell of each lane, if they are known.
+    long: Vec<Option<LongSteps<V::Element>>>,
+    waiting: Vec<Walker<V::Element>>,
 }
 
 impl<'a, V: Vector> Set<'a, V> {
     #[inline(always)]
     fn new(shared: Shared<'a, V::Element>, zero: V) -> Set<'a, V> {
-        Set { lanes: Lanes::new(shared, zero, ()), waiting: Vec::new() }
+        let lanes = Lanes::new(shared, zero, ());
+        Set { lanes, long: vec![None; V::LANES], waiting: Vec::new() }
     }
 
     fn is_full(&self) -> bool {
@@ -35,14 +41,16 @@ impl<'a, V: Vector> Set<'a, V> {
         self.lanes.running() == 0
     }
 
-    /// Gives the waiting cells to lanes without a cell; `begin` is handed each lane and the number of its cell.
+    /// Gives the waiting cells to lanes without a cell; `begin` is handed each lane, the number of its cell, and its
+    /// long steps.
     #[inline(always)]
-    fn fill(&mut self, mut begin: impl FnMut(usize, usize)) {
+    fn fill(&mut self, mut begin: impl FnMut(usize, usize, &mut Option<LongSteps<V::Element>>)) {
         while !self.is_full()
-            && let Some(job) = self.waiting.pop()
+            && let Some((job, mut long)) = self.waiting.pop()
         {
             let lane = self.lanes.running().trailing_ones() as usize;
-            begin(lane, job.number);
+            begin(lane, job.number, &mut long);
+            self.long[lane] = long;
             self.lanes.load(lane, job);
         }
     }
@@ -50,8 +58,8 @@ impl<'a, V: Vector> Set<'a, V> {
     /// Removes the cells from some lanes that are at the start of a step, before any switch: there the data of a lane
     /// that are not part of its state are at their initial values.
     #[inline(always)]
-    fn part(&mut self, lanes: u64, to: &mut Vec<Job<V::Element>>) {
-        to.extend(each(lanes).map(|lane| self.lanes.take(lane)));
+    fn part(&mut self, lanes: u64, to: &mut Vec<Walker<V::Element>>) {
+        to.extend(each(lanes).map(|lane| (self.lanes.take(lane), self.long[lane])));
     }
 
     /// Hands over the cells of some lanes, which have ended.
@@ -92,7 +100,7 @@ impl<'a, V: Vector> Phases<'a, V> {
             while more && !self.turning.is_full() {
                 let job = feed.next_running();
                 more = job.is_some();
-                self.turning.waiting.extend(job);
+                self.turning.waiting.extend(job.map(|job| (job, None)));
                 self.fill(feed);
             }
             if self.turning.is_empty() && self.standing.is_empty() {
@@ -118,11 +126,13 @@ impl<'a, V: Vector> Phases<'a, V> {
         let Phases { turning, stood, standing, long } = self;
         turning.fill(
             #[inline(always)]
-            |lane, _| stood.put(lane, V::Element::of(0.0)),
+            |lane, _, _| stood.put(lane, V::Element::of(0.0)),
         );
         standing.fill(
             #[inline(always)]
-            |lane, number| long.put(lane, &feed.long_steps(number)),
+            |lane, number, known| {
+                long.put(lane, known.get_or_insert_with(|| feed.long_steps(number)));
+            },
         );
     }
 
