@@ -115,7 +115,8 @@ impl<'a, V: Vector> Phases<'a, V> {
             if stand {
                 self.stand(feed);
             }
-            if !(stand && more) && !self.turning.is_empty() {
+            let waits = stand && more;
+            if !waits && !self.turning.is_empty() {
                 self.turn(feed);
             }
         }

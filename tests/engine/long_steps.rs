@@ -67,6 +67,9 @@ fn sweep(plan: &Plan, grid: &Grid, precision: Precision) -> Vec<Outcome> {
     cpu::sweep(precision, &plan.at(precision), grid, &all(grid), &Unwatched)
 }
 
+/// A value of an outcome: its name, the error that long steps add at the most, and the value.
+type Value = (&'static str, f64, fn(&Outcome) -> f64);
+
 /// The values of the cells that rock, their errors against the reference: the median and the largest.
 fn errors(cells: &[(Outcome, Outcome)], value: fn(&Outcome) -> f64) -> [f64; 2] {
     let mut errors: Vec<f64> = cells.iter().map(|(a, b)| (value(a) - value(b)).abs()).collect();
@@ -107,7 +110,7 @@ fn long_steps_have_the_errors_of_turns() {
             pairs.collect::<Vec<_>>()
         };
         let (long, short) = (against(&long), against(&short));
-        let values: [(&str, f64, fn(&Outcome) -> f64); 5] = [
+        let values: [Value; 5] = [
             ("zeta", 1.0e-6, |cell| cell.zeta),
             ("u", 1.0e-6, |cell| cell.max_u),
             ("v", 1.0e-6, |cell| cell.stroke_v),
