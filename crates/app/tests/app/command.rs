@@ -584,8 +584,12 @@ fn bench_prints_a_row_a_backend() {
     assert_eq!(rows.iter().filter(|row| row[0] == "a cell at a time").count(), 2, "{text}");
     assert!(rows.len() >= 4, "no vectors: {text}");
     for row in &rows {
-        for number in &row[2..9] {
+        for number in [2, 4, 6].map(|column| row[column]) {
             assert!(number.parse::<f64>().unwrap() > 0.0, "{row:?}");
+        }
+        // A ratio of a run that other programs held up may be rounded to zero.
+        for number in &row[2..9] {
+            assert!(number.parse::<f64>().unwrap() >= 0.0, "{row:?}");
         }
     }
     assert_eq!(rows[0][3], "1.00", "a cell at a time in f64 is the measure");
