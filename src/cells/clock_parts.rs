@@ -17,6 +17,8 @@ pub(crate) struct SwingH {
     squares: [f64; 2],
     /// The longest step of a base that yields, s; infinite for one that does not.
     longest: f64,
+    /// The longest step of u in full contact, s.
+    standing: f64,
 }
 
 /// The part of the vertical isolation. The sum of both parts is the square of the frequency about a corner.
@@ -75,7 +77,8 @@ impl ClockRule<'_> {
     pub(crate) fn swing_h(&self, case: &Case, body: &Body) -> SwingH {
         let p2 = body.most_p2();
         let Some(law) = &case.isolation.horizontal else {
-            return SwingH { squares: p2, longest: f64::INFINITY };
+            let standing = self.longest_standing(p2);
+            return SwingH { squares: p2, longest: f64::INFINITY, standing };
         };
         let square = (TAU / law.t_h).powi(2);
         let [left, right] = body.stiffening_h();
@@ -88,7 +91,13 @@ impl ClockRule<'_> {
         } else {
             f64::INFINITY
         };
-        SwingH { squares, longest: longest.min(in_yield) }
+        let longest = longest.min(in_yield);
+        SwingH { squares, longest, standing: self.longest_standing(squares).min(longest) }
+    }
+
+    /// The longest step of u in full contact by the squares of its frequencies about both corners, s.
+    fn longest_standing(&self, squares: [f64; 2]) -> f64 {
+        self.resolution.longest_standing(TAU / squares[0].max(squares[1]).sqrt())
     }
 
     /// The vertical part.
@@ -130,10 +139,8 @@ impl ClockRule<'_> {
             }
             Excitation::Record(pair) => {
                 let in_gap = |longest: f64| (pair.dt / longest).ceil().max(1.0);
-                let square = h.squares[0].max(h.squares[1]);
-                let alone = self.resolution.longest_standing(TAU / square.sqrt()).min(h.longest);
                 let substeps = in_gap(longest);
-                (substeps * (pair.len() - 1) as f64, substeps, in_gap(alone).min(substeps))
+                (substeps * (pair.len() - 1) as f64, substeps, in_gap(h.standing).min(substeps))
             }
         };
         let free = span.t_max - span.forced;

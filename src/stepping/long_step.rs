@@ -17,7 +17,7 @@ use super::extremes::bend;
 use super::guards::crosses;
 use super::lanes::Lanes;
 use super::log::Listener;
-use super::span::YIELD_LIMIT;
+use super::span::{YIELD_LIMIT, settling_rate};
 use super::state::is_finite;
 use super::turn::select_motion;
 use crate::model::CellEquations;
@@ -207,7 +207,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
     /// Takes a long step in every lane in which no guard happens. All lanes are between two steps under a record, and
     /// their blocks stand. The result is the lanes that have moved, and those whose cell has ended, one bit each.
     #[inline(never)]
-    pub fn stand_long(&mut self, long: &LongSteps<V>) -> [u64; 2] {
+    pub(super) fn stand_long(&mut self, long: &LongSteps<V>) -> [u64; 2] {
         self.start.with(
             #[inline(always)]
             || self.stand_long_lanes(long),
@@ -236,8 +236,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             let k1 = rates_h(&set, y, start);
             y1 = step_h(&set, &y1, k1, h, [mid, end]);
             if variant.kinks {
-                let n = one.like(f64::from(variant.bouc_wen_n));
-                let settling = n * y.du.abs() * set.cell.inverse_yield * h;
+                let settling = settling_rate(&set, y) * h;
                 let kinked = crosses(y.du, y1.du) | crosses(y.z, y1.z);
                 moves = moves & one.like(YIELD_LIMIT).ge(settling) & !kinked;
             }

@@ -1,7 +1,9 @@
 //! The end of a span before any search for a root: the end of the step, the limit of stability, or an estimated
 //! impact. Twin of `shaders/span.wgsl`.
 
+use crate::model::CellEquations;
 use crate::model::dynamics::Rates;
+use crate::model::motion::Motion;
 use crate::model::real::Vector;
 
 use super::lanes::Lanes;
@@ -17,6 +19,13 @@ pub const STIFF_LIMIT: f64 = 0.1;
 /// The share by which a span that is cut for an impact is longer than the estimated time to the impact, so that the
 /// impact is inside it: the error of the estimate is mostly smaller.
 pub const BEYOND: f64 = 5.0e-4;
+
+/// The rate n |u'|/u_y at which z of (11) relaxes, 1/s.
+#[inline(always)]
+pub(super) fn settling_rate<V: Vector>(set: &CellEquations<V>, y: &Motion<V>) -> V {
+    let n = y.du.like(f64::from(set.variant.bouc_wen_n));
+    n * y.du.abs() * set.cell.inverse_yield
+}
 
 impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
     /// Begins spans with the rest of the step. A span ends earlier where RK4 would be unstable for z, and where the
@@ -50,9 +59,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             }
         }
         if variant.kinks && variant.yields {
-            // z of (11) relaxes at the rate n |u'|/u_y, 1/s.
-            let n = one.like(f64::from(self.shared.variant.bouc_wen_n));
-            let settling = n * self.y.du.abs() * self.cell.inverse_yield * step;
+            let settling = settling_rate(&self.equations(), &self.y) * step;
             let limit = one.like(YIELD_LIMIT);
             let long = whole & (settling * self.span).gt(limit);
             if V::any(long) {

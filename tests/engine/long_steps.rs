@@ -70,7 +70,7 @@ fn sweep(plan: &Plan, grid: &Grid, precision: Precision) -> Vec<Outcome> {
 /// A value of an outcome: its name, the error that long steps add at the most, and the value.
 type Value = (&'static str, f64, fn(&Outcome) -> f64);
 
-/// The values of the cells that rock, their errors against the reference: the median and the largest.
+/// The median and the largest error of a value, of pairs of our outcome and that of the reference.
 fn errors(cells: &[(Outcome, Outcome)], value: fn(&Outcome) -> f64) -> [f64; 2] {
     let mut errors: Vec<f64> = cells.iter().map(|(a, b)| (value(a) - value(b)).abs()).collect();
     errors.sort_by(f64::total_cmp);

@@ -573,7 +573,8 @@ proptest! {
 
 #[test]
 fn bench_prints_a_row_a_backend() {
-    let arguments = ["bench", "--side", "8", "--repeat", "1", "--no-shader"];
+    // The shortest of several times: other tests hold up one or the other, and its ratio would be rounded to zero.
+    let arguments = ["bench", "--side", "8", "--repeat", "5", "--no-shader"];
     let run = topple().args(arguments).assert().success();
     let text = String::from_utf8(run.get_output().stdout.clone()).unwrap();
     let rows: Vec<Vec<&str>> = text
@@ -584,12 +585,8 @@ fn bench_prints_a_row_a_backend() {
     assert_eq!(rows.iter().filter(|row| row[0] == "a cell at a time").count(), 2, "{text}");
     assert!(rows.len() >= 4, "no vectors: {text}");
     for row in &rows {
-        for number in [2, 4, 6].map(|column| row[column]) {
-            assert!(number.parse::<f64>().unwrap() > 0.0, "{row:?}");
-        }
-        // A ratio of a run that other programs held up may be rounded to zero.
         for number in &row[2..9] {
-            assert!(number.parse::<f64>().unwrap() >= 0.0, "{row:?}");
+            assert!(number.parse::<f64>().unwrap() > 0.0, "{row:?}");
         }
     }
     assert_eq!(rows[0][3], "1.00", "a cell at a time in f64 is the measure");
