@@ -148,7 +148,9 @@ impl<'a, V: Vector> Phases<'a, V> {
         standing.part(standing.lanes.running() & !stay, &mut turning.waiting);
     }
 
-    /// A turn of all other lanes. Cells whose block has stood for long at the start of a gap take long steps from then on.
+    /// A turn of all other lanes. Cells whose block has lifted before, and has stood for long at the start of a gap, take
+    /// long steps from then on. Before the first uplift shared motions have the steps of the cells, and so has a cell
+    /// that shares none.
     #[inline(always)]
     fn turn(&mut self, feed: &mut impl Feed<V::Element>) {
         let Phases { turning, stood, standing, .. } = self;
@@ -158,7 +160,7 @@ impl<'a, V: Vector> Phases<'a, V> {
         let (zero, one) = (stood.like(0.0), stood.like(1.0));
         *stood = V::select(lanes.rocking, zero, *stood + one);
         let at_gap = zero.ge(lanes.forcing.done) & zero.ge(lanes.events) & lanes.between_steps();
-        let ready = !lanes.rocking & stood.ge(one.like(STOOD)) & at_gap;
+        let ready = lanes.lifted & !lanes.rocking & stood.ge(one.like(STOOD)) & at_gap;
         let ready = V::bits(ready) & lanes.forcing.forced & lanes.running();
         turning.part(ready, &mut standing.waiting);
     }
