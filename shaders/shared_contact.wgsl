@@ -9,18 +9,18 @@ const VELOCITY = 1u;
 const ACCELERATION = 2u;
 const LOWER = 3u;
 const TOP = 4u;
-const LEAST_SO_FAR = 5u;
 const Z = 5u;
 const UPPER = 6u;
 const UPPER_SO_FAR = 7u;
 const MINUS_LOWER_SO_FAR = 8u;
 const MAGNITUDE_SO_FAR = 9u;
-const LEAST = 6u;
 const MAGNITUDE = 10u;
-const EIGHTHS_V = 7u;
 const QUARTERS_H = 11u;
-const BOTTOM = 14u;
-const LOWER_SO_FAR = 15u;
+const BOTTOM = 5u;
+const LOWER_SO_FAR = 6u;
+const LEAST_SO_FAR = 7u;
+const LEAST = 8u;
+const EIGHTHS_V = 9u;
 
 // The gap of v that corresponds to a gap of u: the last one where the motion of v is shorter.
 fn gap_of_v(gap: u32, last_v: u32) -> u32 {
@@ -95,14 +95,14 @@ struct MotionPair {
 
 // The largest friction demand before a sample, if one is known.
 fn friction_before(pair: MotionPair, size: real, sample: u32, known: real) -> real {
-    if tile.still == 1u && sample > 0u {
+    if !forces || sample == 0u {
+        return known;
+    }
+    if tile.still == 1u {
         let zero: real = 0.0;
         let y = motions[pair.v + ACCELERATION * tile.up.more];
         let magnitude = motions[pair.h + MAGNITUDE_SO_FAR * tile.across.more + sample - 1u];
         return select(zero, size * magnitude / y, y > 0.0);
-    }
-    if !forces || tile.still == 1u {
-        return known;
     }
     let friction = at_samples(pair.h, pair.v, pair.last_v, size, sample, known);
     return crests(pair.h, pair.v, pair.last_v, size, sample, friction);
@@ -136,7 +136,10 @@ fn move_to(pair: MotionPair, scale: real, sample: u32, state: ptr<function, Stat
 
 // The contact forces up to a sample whose friction demand is known.
 fn meet_forces(pair: MotionPair, sample: u32, friction: real, state: ptr<function, State>) {
-    let least = motions[pair.v + min(sample, pair.last_v) + LEAST_SO_FAR * tile.up.more];
+    var least = model.gravity;
+    if forces {
+        least = motions[pair.v + min(sample, pair.last_v) + LEAST_SO_FAR * tile.up.more];
+    }
     (*state).min_contact = select(model.gravity, least, least < model.gravity);
     (*state).friction = friction;
 }

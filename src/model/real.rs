@@ -67,6 +67,9 @@ pub trait Vector: Number + Debug {
     /// The first numbers of a slice, one in each lane; `self` where the slice has fewer.
     fn first_of(self, numbers: &[Self::Element]) -> Self;
 
+    /// Writes the numbers of all lanes to the begin of a slice, which has as many at least.
+    fn write(&self, to: &mut [Self::Element]);
+
     /// A mask as one bit for each lane, the first lane lowest.
     fn bits(mask: Self::Mask) -> u64;
 
@@ -196,6 +199,11 @@ macro_rules! single {
             #[inline(always)]
             fn first_of(self, numbers: &[$element]) -> $element {
                 numbers.first().copied().unwrap_or(self)
+            }
+
+            #[inline(always)]
+            fn write(&self, to: &mut [$element]) {
+                to[0] = *self;
             }
 
             #[inline(always)]

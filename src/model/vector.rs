@@ -90,6 +90,11 @@ macro_rules! vector {
             }
 
             #[inline(always)]
+            fn write(&self, to: &mut [$element]) {
+                to[..$lanes].copy_from_slice(self.as_slice());
+            }
+
+            #[inline(always)]
             fn bits(mask: Self::Mask) -> u64 {
                 mask.to_bitmask()
             }

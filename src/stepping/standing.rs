@@ -6,8 +6,10 @@ use super::log::Listener;
 use super::rk4::rk4;
 use super::state::is_finite;
 use super::turn::select_motion;
+use crate::model::CellEquations;
 use crate::model::dynamics::{Contact, rates};
-use crate::model::isolation::support;
+use crate::model::isolation::{Variant, support};
+use crate::model::motion::Motion;
 use crate::model::real::Vector;
 
 impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
@@ -23,6 +25,18 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
 
     #[inline(always)]
     fn stand_lanes(&mut self) -> u64 {
+        let variant = self.shared.variant;
+        let alone = variant.isolated_v && !variant.isolated_h && !variant.devices;
+        if alone {
+            // Compiled for v alone, it takes a shorter time.
+            let (isolated_h, isolated_v, yields, devices) = (false, true, false, false);
+            return self.stand_as(Variant { isolated_h, isolated_v, yields, devices, ..variant });
+        }
+        self.stand_as(variant)
+    }
+
+    #[inline(always)]
+    fn stand_as(&mut self, variant: Variant) -> u64 {
         let (zero, one, half) = (self.start.like(0.0), self.start.like(1.0), self.start.like(0.5));
         let standing = zero.mask(0);
         let moved = zero.mask(self.running);
@@ -30,10 +44,15 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let ground_mid = self.ground(half);
         let ground_end = self.ground(one);
         let h = self.forcing.step;
-        let set = self.equations();
+        let set = CellEquations { variant, ..self.equations() };
         let k1 = rates(&set, &self.corner, standing, &self.y, ground);
         let grounds = [ground_mid, ground_end];
-        let stepped = rk4(&set, &self.corner, standing, &self.y, &k1, h, grounds);
+        let mut stepped = rk4(&set, &self.corner, standing, &self.y, &k1, h, grounds);
+        let Motion { u, du, z, phi, dphi, .. } = self.y;
+        stepped.y = Motion { phi, dphi, ..stepped.y };
+        if !variant.isolated_h {
+            stepped.y = Motion { u, du, z, ..stepped.y };
+        }
         let base = support(&set, &stepped.y, ground_end);
         let (asked, stands) = (set.variant.asked, (standing, self.corner.side));
         self.extremes.update_motion(asked, moved, stands, &self.y, &stepped.y, h);

@@ -3,34 +3,34 @@
 
 use fearless_simd::Level;
 
-use super::sampling::{Gaps, add, load};
-use super::shared_motion::{Direction, MotionSet, SampledMotion};
+use super::motions::Places;
+use super::sampling::{Gaps, load};
+use super::shared_motion::{Direction, MotionSet};
+use super::written_motions::WrittenMotions;
 use crate::model::real::{Real, Vector};
-use crate::stepping::lanes::{Lanes, Shared, each};
+use crate::stepping::lanes::{Lanes, Shared};
 use crate::work::vectors::vectorized;
 
-/// Integrates motions on the vectors of a level, no more than it has [lanes](crate::work::vectors::lanes_of).
-pub fn sample<R: Real>(set: MotionSet<R>, level: Level) -> Vec<SampledMotion<R>> {
+/// Integrates motions on the vectors of a level, no more than it has [lanes](crate::work::vectors::lanes_of), and writes
+/// them to their places.
+pub fn integrate<R: Real>(set: MotionSet<R>, places: &mut [Places<R>], level: Level) {
     let zero = R::of(0.0);
-    let mut sampled = Vec::new();
-    vectorized!(level, zero => sampled = integrate(set, zero));
-    sampled
+    vectorized!(level, zero => integrate_lanes(set, places, zero));
 }
 
 #[inline(always)]
-fn integrate<V: Vector>(set: MotionSet<V::Element>, zero: V) -> Vec<SampledMotion<V::Element>> {
+fn integrate_lanes<V: Vector>(
+    set: MotionSet<V::Element>,
+    places: &mut [Places<V::Element>],
+    zero: V,
+) {
     let MotionSet { variant, direction, record, starts } = set;
     let models: Vec<_> = starts.iter().map(|start| start.model).collect();
     let mut lanes = Lanes::new(Shared { variant, models: &models, record }, zero, ());
-    let mut sampled = load(&mut lanes, &set, 1);
-    let now = force(&lanes, direction);
-    // No extreme of a force is known yet.
-    let unknown = Direction::Vertical.no_crest(zero);
-    let mut gaps = Gaps::at(now);
-    let first = gaps.known(zero, unknown);
-    for (lane, sampled) in sampled.iter_mut().enumerate() {
-        add(sampled, &lanes, lane, direction, &first);
-    }
+    load(&mut lanes, &set);
+    let mut gaps = Gaps::at(force(&lanes, direction));
+    let first = gaps.row(zero.mask(0), &lanes, direction);
+    let mut written = WrittenMotions::begin(places, (direction, false), &first);
     while lanes.running() != 0 {
         let ended = if lanes.has_kinks() { lanes.advance() } else { lanes.stand() };
         let through = lanes.between_steps();
@@ -38,16 +38,13 @@ fn integrate<V: Vector>(set: MotionSet<V::Element>, zero: V) -> Vec<SampledMotio
         // The gaps of a pulse are its steps.
         let over = if variant.recorded { through & lanes.between_segments() } else { through };
         if V::any(over) {
-            let known = gaps.known(zero, unknown);
-            for lane in each(V::bits(over)) {
-                add(&mut sampled[lane], &lanes, lane, direction, &known);
-            }
+            let row = gaps.row(over, &lanes, direction);
+            written.add(V::bits(over), &row);
             gaps.begin(over);
         }
         lanes.leave_off(ended);
     }
-    let ends = sampled.into_iter().zip(starts);
-    ends.map(|(sampled, start)| sampled.filled(start.samples()).finish(false)).collect()
+    written.end(V::LANES, |_, _| false);
 }
 
 /// X or Y in each lane.

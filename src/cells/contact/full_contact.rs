@@ -15,10 +15,10 @@ use rayon::prelude::*;
 
 use super::bounded_motions;
 use super::dependence::{Dependence, shared_amplitude};
-use super::kept_motions::{Kept, horizontal, vertical};
-use super::motions::{HORIZONTAL_FIELDS, MotionPair, Motions, VERTICAL_FIELDS};
+use super::kept_motions::Kept;
+use super::motions::{MotionPair, Motions, Places};
 use super::motions_with_forces;
-use super::shared_motion::{Direction, MotionSet, SampledMotion, Start};
+use super::shared_motion::{Direction, MotionSet, Start};
 use crate::cells::laws::Laws;
 use crate::cells::listing::{Entries, Index, occurring};
 use crate::cells::plan::Plan;
@@ -73,7 +73,9 @@ fn steps_after(plan: &Plan, still: bool) -> u32 {
 /// of a pulse are counted one by one until they do not fit.
 fn fit<R: Real>(plan: &Plan, grid: &Grid, all: &[Combinations; 2], after: u32) -> bool {
     let mut left = MOST_MEMORY / size_of::<R>();
-    all.iter().zip([HORIZONTAL_FIELDS, VERTICAL_FIELDS]).all(|(all, fields)| {
+    let directions = [Direction::Horizontal, Direction::Vertical];
+    let fields = directions.map(|direction| direction.fields(plan.asked.forces));
+    all.iter().zip(fields).all(|(all, fields)| {
         let most = left / fields;
         let samples = match &plan.scene.excitation {
             Excitation::Record(pair) => all.count().saturating_mul(pair.len()),
@@ -159,7 +161,8 @@ impl<R: Real> FullContactMotions<R> {
         let (only_h, only_v) = (plan.without_vertical(), plan.without_horizontal());
         let recorded = plan.scene.excitation.record().is_some();
         let level = Level::new();
-        let sampled = |direction: Direction, places: &[Place]| {
+        let lanes = lanes_of::<R>(level);
+        let sampled = |direction: Direction, kept: &Kept<R>| {
             let alone = if direction == Direction::Horizontal { &only_h } else { &only_v };
             // The energy proves more of a cell than of a motion in one direction.
             let variant = Variant { certificate: false, ..alone.variant() };
@@ -172,31 +175,30 @@ impl<R: Real> FullContactMotions<R> {
                 };
                 Start::of(clock, &case, direction, after)
             };
-            let some = |places: &[Place]| {
-                let starts: Vec<Start<R>> = places.iter().map(start).collect();
-                let set = MotionSet { variant, direction, record, starts: &starts };
-                if plan.asked.forces {
-                    motions_with_forces::sample(set, level)
-                } else {
-                    bounded_motions::sample(set, level)
-                }
+            let starts: Vec<Start<R>> = kept.missing().par_iter().map(start).collect();
+            let lengths = starts.iter().map(Start::samples);
+            let mut motions = kept.with_room(direction.fields(plan.asked.forces), lengths);
+            let some = |(places, starts): (&mut [Places<R>], &[Start<R>])| {
+                let set = MotionSet { variant, direction, record, starts };
+                let integrate = || match plan.asked.forces {
+                    true => motions_with_forces::integrate(set, places, level),
+                    false => bounded_motions::integrate(set, places, level),
+                };
+                (!observer.cancelled()).then(integrate)
             };
-            let wanted = |places| (!observer.cancelled()).then(|| some(places));
-            let motions =
-                places.par_chunks(lanes_of::<R>(level)).map(wanted).collect::<Option<Vec<_>>>()?;
-            Some(motions.into_iter().flatten().collect::<Vec<SampledMotion<R>>>())
+            let mut places = kept.places(&mut motions);
+            places.par_chunks_mut(lanes).zip(starts.par_chunks(lanes)).try_for_each(some)?;
+            Some(motions)
         };
         let [across, up] = wanted;
         let across = Kept::of(across, known.map(|known| known[0]));
         let up = Kept::of(up, known.map(|known| known[1]));
         // The stiffest vertical isolation takes the most steps: therefore the motions of v begin first.
-        let (along_y, along_x) = rayon::join(
-            || sampled(Direction::Vertical, &up.missing()),
-            || sampled(Direction::Horizontal, &across.missing()),
+        let (up, across) = rayon::join(
+            || sampled(Direction::Vertical, &up),
+            || sampled(Direction::Horizontal, &across),
         );
-        let (along_x, along_y) = (along_x?, along_y?);
-        let (up, across) =
-            rayon::join(|| vertical(&up, &along_y), || horizontal(&across, &along_x));
+        let (up, across) = (up?, across?);
         let (still, variant) = (of.still, plan.variant());
         Some(FullContactMotions { across, up, still, variant, after, level })
     }

@@ -13,3 +13,4 @@ pub(crate) mod shared;
 pub(crate) mod shared_contact;
 pub(crate) mod shared_friction;
 pub(crate) mod shared_motion;
+pub(crate) mod written_motions;

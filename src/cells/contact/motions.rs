@@ -18,10 +18,7 @@ pub const ACCELERATION: usize = 2;
 pub const LOWER: usize = 3;
 /// Largest |u|, or largest v, up to each sample, m.
 pub const TOP: usize = 4;
-/// Of v: least acceleration up to each sample.
-pub const LEAST_SO_FAR: usize = 5;
-/// Of v: least acceleration between each sample and the next, crests between steps included.
-pub const LEAST: usize = 6;
+
 /// Of u: z.
 pub const Z: usize = 5;
 /// Of u: upper bound of the acceleration between each sample and the next.
@@ -30,22 +27,31 @@ pub const UPPER: usize = 6;
 pub const UPPER_SO_FAR: usize = 7;
 /// Of u: largest negative of the lower bound, up to and with each gap.
 pub const MINUS_LOWER_SO_FAR: usize = 8;
-/// Of u: largest magnitude of the acceleration up to and with each gap.
+/// Of u: largest magnitude of the acceleration up to and with each gap. This quantity and those after it are kept only where
+/// contact forces are requested.
 pub const MAGNITUDE_SO_FAR: usize = 9;
 /// Of u: largest magnitude of the acceleration between each sample and the next, crests between steps included.
 pub const MAGNITUDE: usize = 10;
-/// Of v: the acceleration after the first eighth of each gap; six eighths more follow.
-pub const EIGHTHS_V: usize = 7;
-/// Of v: least v up to each sample, m.
-pub const BOTTOM: usize = 14;
-/// Of u: the same after the first quarter of each gap; two quarters more follow.
+/// Of u: the acceleration after the first quarter of each gap; two quarters more follow.
 pub const QUARTERS_H: usize = 11;
+
+/// Of v: least v up to each sample, m.
+pub const BOTTOM: usize = 5;
 /// Of v: least lower bound up to and with each gap.
-pub const LOWER_SO_FAR: usize = 15;
-/// Quantities of a motion of v.
-pub const VERTICAL_FIELDS: usize = 16;
-/// Quantities of a motion of u.
-pub const HORIZONTAL_FIELDS: usize = 14;
+pub const LOWER_SO_FAR: usize = 6;
+/// Of v: least acceleration up to each sample. This quantity and those after it are kept only where contact forces are
+/// requested.
+pub const LEAST_SO_FAR: usize = 7;
+/// Of v: least acceleration between each sample and the next, crests between steps included.
+pub const LEAST: usize = 8;
+/// Of v: the acceleration after the first eighth of each gap; six eighths more follow.
+pub const EIGHTHS_V: usize = 9;
+
+/// The most quantities of a motion.
+pub const MOST_FIELDS: usize = 16;
+
+/// The places of a motion's numbers, one slice for each quantity.
+pub(crate) type Places<'a, R> = Vec<&'a mut [R]>;
 
 /// The motions of one direction.
 #[derive(Debug)]
@@ -85,13 +91,21 @@ impl<R: Real> Motions<R> {
         self.first.windows(2).map(|ends| (ends[1] - ends[0]) as usize).max().unwrap_or(0)
     }
 
-    /// Stores a quantity of a motion. A quantity of gaps has one number fewer than a quantity of samples: the last
-    /// number stays zero.
-    pub fn fill(&mut self, field: usize, number: usize, values: impl Iterator<Item = R>) {
-        let start = field * self.samples() + self.first[number] as usize;
-        for (place, value) in self.values[start..].iter_mut().zip(values) {
-            *place = value;
+    /// The places of the numbers of each motion.
+    pub(crate) fn places(&mut self) -> Vec<Places<'_, R>> {
+        let lengths = self.first.windows(2).map(|ends| (ends[1] - ends[0]) as usize);
+        let lengths: Vec<usize> = lengths.collect();
+        let mut places: Vec<Places<R>> = lengths.iter().map(|_| Vec::new()).collect();
+        // Without a motion there are no numbers.
+        let samples = self.samples().max(1);
+        for mut rest in self.values.chunks_mut(samples) {
+            for (places, length) in places.iter_mut().zip(&lengths) {
+                let (of_this, others) = rest.split_at_mut(*length);
+                places.push(of_this);
+                rest = others;
+            }
         }
+        places
     }
 
     /// A motion, by its number.

@@ -6,13 +6,17 @@
 use fearless_simd::Level;
 
 use super::gap_steps::{GapStep, PartEnds, by_quarters, gap_steps};
-use super::sampling::{Gaps, add, load};
-use super::shared_motion::{Direction, MotionSet, SampledMotion};
+use super::motions::{
+    EIGHTHS_V, LEAST, LEAST_SO_FAR, MAGNITUDE, MAGNITUDE_SO_FAR, Places, QUARTERS_H,
+};
+use super::sampling::{Gaps, load};
+use super::shared_motion::{Direction, MotionSet};
+use super::written_motions::{Row, WrittenMotions};
 use crate::model::dynamics::{Contact, Rates};
 use crate::model::motion::Motion;
 use crate::model::real::{Real, Vector};
 use crate::stepping::extremes::parabola;
-use crate::stepping::lanes::{Lanes, Shared, each};
+use crate::stepping::lanes::{Lanes, Shared};
 use crate::stepping::log::Listener;
 use crate::stepping::rk4::hermite;
 use crate::work::vectors::vectorized;
@@ -20,12 +24,11 @@ use crate::work::vectors::vectorized;
 /// Most parts into which a gap is divided.
 const MOST_PARTS: usize = 8;
 
-/// Integrates motions on the vectors of a level, no more than it has [lanes](crate::work::vectors::lanes_of).
-pub fn sample<R: Real>(set: MotionSet<R>, level: Level) -> Vec<SampledMotion<R>> {
+/// Integrates motions on the vectors of a level, no more than it has [lanes](crate::work::vectors::lanes_of), and writes
+/// them to their places.
+pub fn integrate<R: Real>(set: MotionSet<R>, places: &mut [Places<R>], level: Level) {
     let zero = R::of(0.0);
-    let mut sampled = Vec::new();
-    vectorized!(level, zero => sampled = integrate(set, zero));
-    sampled
+    vectorized!(level, zero => integrate_lanes(set, places, zero));
 }
 
 /// X or Y in the spans of each lane: a step is one span, or several where z or u' changed its sign in it.
@@ -56,31 +59,63 @@ impl<V: Vector> Listener<V> for Spans<V> {
 
 type Motions<'a, V> = Lanes<'a, V, Spans<V>>;
 
+/// What belongs to the contact forces in a row.
+struct Forces<'a, V> {
+    /// The crest of X or Y in the gap, and that of all gaps so far.
+    crest: V,
+    so_far: V,
+    /// The values at the ends of the gap and of its parts.
+    values: &'a [V; MOST_PARTS + 1],
+}
+
+impl<V: Vector> Forces<'_, V> {
+    #[inline(always)]
+    fn add_to(&self, row: &mut Row<V>, direction: Direction) {
+        let Forces { crest, so_far, values } = *self;
+        let inside = &values[1..direction.parts() as usize];
+        let first = match direction {
+            Direction::Horizontal => {
+                (row[MAGNITUDE], row[MAGNITUDE_SO_FAR]) = (crest, so_far);
+                QUARTERS_H
+            }
+            Direction::Vertical => {
+                (row[LEAST], row[LEAST_SO_FAR]) = (crest, so_far);
+                EIGHTHS_V
+            }
+        };
+        row[first..first + inside.len()].copy_from_slice(inside);
+    }
+}
+
 #[inline(always)]
-fn integrate<V: Vector>(set: MotionSet<V::Element>, zero: V) -> Vec<SampledMotion<V::Element>> {
+fn integrate_lanes<V: Vector>(
+    set: MotionSet<V::Element>,
+    places: &mut [Places<V::Element>],
+    zero: V,
+) {
     let MotionSet { variant, direction, record, starts } = set;
     let models: Vec<_> = starts.iter().map(|start| start.model).collect();
-    let spans =
-        Spans { direction, count: zero, mid: zero, end: zero, crest: direction.no_crest(zero) };
+    let none = direction.no_crest(zero);
+    let spans = Spans { direction, count: zero, mid: zero, end: zero, crest: none };
     let mut lanes = Lanes::new(Shared { variant, models: &models, record }, zero, spans);
     let parts = direction.parts();
     let substeps: Vec<u32> = starts.iter().map(|start| start.cell.substeps).collect();
     let steps = gap_steps(parts, &substeps, zero);
     let by_quarters = by_quarters(parts, &substeps);
-    let mut sampled = load(&mut lanes, &set, parts);
+    load(&mut lanes, &set);
     let mut values = [zero; MOST_PARTS + 1];
-    let mut now = direction.of(lanes.contact());
+    let (all, mut missed) = (zero.mask(u64::MAX), zero);
     // A block that lifts at once, at a jump, has no forces on record.
-    let (mut least_so_far, mut missed) = (Direction::Vertical.no_crest(zero), zero);
-    let first = Gaps::at(now).known(zero, least_so_far);
-    for (lane, sampled) in sampled.iter_mut().enumerate() {
-        add(sampled, &lanes, lane, direction, &first);
-    }
+    let mut so_far = none;
+    let mut gap = Gaps::at(direction.of(lanes.contact()));
+    let mut first = gap.row(zero.mask(0), &lanes, direction);
+    Forces { crest: none, so_far, values: &values }.add_to(&mut first, direction);
+    let mut written = WrittenMotions::begin(places, (direction, true), &first);
     let mut through = lanes.running();
     while through != 0 {
-        let mut gap = Gaps::at(now);
-        values[0] = now;
-        lanes.log.crest = direction.no_crest(zero);
+        gap.begin(all);
+        values[0] = gap.now;
+        lanes.log.crest = none;
         let mut ended = 0;
         for GapStep { lanes: some, ends } in &steps {
             lanes.run_only(through & some & !ended);
@@ -93,31 +128,25 @@ fn integrate<V: Vector>(set: MotionSet<V::Element>, zero: V) -> Vec<SampledMotio
             ended |= over;
             gap.take(zero.mask(reached), lanes.log.end);
         }
-        now = gap.now;
-        values[parts as usize] = now;
+        values[parts as usize] = gap.now;
         if by_quarters != 0 {
             tell_others(&mut values, zero.mask(by_quarters));
         }
         let crest = lanes.log.crest;
         let off = (kept_crest(direction, &values) - crest).abs();
         missed = V::select(zero.mask(through), missed.max(off), missed);
-        least_so_far = least_so_far.min(crest);
-        let known = gap.known(crest, least_so_far);
-        for lane in each(through) {
-            let sampled = &mut sampled[lane];
-            for (kept, value) in sampled.inside.iter_mut().zip(&values[1..]) {
-                kept.push(value.lane(lane));
-            }
-            add(sampled, &lanes, lane, direction, &known);
-        }
+        so_far = match direction {
+            Direction::Horizontal => so_far.max(crest),
+            Direction::Vertical => so_far.min(crest),
+        };
+        let mut row = gap.row(zero.mask(through), &lanes, direction);
+        Forces { crest, so_far, values: &values }.add_to(&mut row, direction);
+        written.add(through, &row);
         through &= !ended;
     }
-    let all = sampled.into_iter().zip(starts).enumerate();
-    let finished = all.map(|(lane, (sampled, start))| {
-        let allowed = direction.allowed(&sampled, start.model.gravity);
-        sampled.filled(start.samples()).finish(missed.lane(lane) > allowed)
+    written.end(V::LANES, |lane, magnitude| {
+        missed.lane(lane) > direction.allowed(magnitude, starts[lane].model.gravity)
     });
-    finished.collect()
 }
 
 /// The eighths of the gaps of some lanes that are interpolated from quarters.
@@ -231,7 +260,8 @@ fn kept_crest<V: Vector>(direction: Direction, values: &[V; MOST_PARTS + 1]) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::cells::contact::shared_motion::{Sample, Start};
+    use crate::cells::contact::motions::LOWER;
+    use crate::cells::contact::shared_motion::Start;
     use crate::cells::plan::Plan;
     use crate::model::excitation::Ground;
     use crate::model::isolation::Variant;
@@ -239,12 +269,15 @@ mod tests {
     use crate::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
     use crate::work::vectors::lanes_of;
 
-    /// All numbers of a motion.
-    fn numbers<R: Real>(motion: &SampledMotion<R>) -> (&[Sample<R>], Vec<R>) {
-        let quantities =
-            [&motion.upper_so_far, &motion.minus_lower_so_far, &motion.magnitude_so_far];
-        let others = quantities.into_iter().chain(&motion.inside).flatten().copied();
-        (&motion.samples, others.collect())
+    /// The numbers of motions, quantity by quantity.
+    fn numbers<R: Real>(set: MotionSet<R>, level: Level) -> Vec<Vec<Vec<R>>> {
+        let fields = set.direction.fields(true);
+        let motion = |start: &Start<R>| vec![vec![R::of(0.0); start.samples()]; fields];
+        let mut motions: Vec<Vec<Vec<R>>> = set.starts.iter().map(motion).collect();
+        let places = motions.iter_mut().map(|motion| motion.iter_mut().map(|of| &mut of[..]));
+        let mut places: Vec<Places<R>> = places.map(Iterator::collect).collect();
+        integrate(set, &mut places, level);
+        motions
     }
 
     /// Lanes that wait, that have ended or that have no motion do not change the other lanes.
@@ -263,19 +296,16 @@ mod tests {
             cases.map(|case| Start::of(clock, &case, direction, after)).collect();
         let variant = Variant { certificate: false, ..alone.variant() };
         let (record, level) = (&record[..], Level::new());
-        let of = |starts| sample(MotionSet { variant, direction, record, starts }, level);
+        let of = |starts| numbers(MotionSet { variant, direction, record, starts }, level);
         let together = of(&starts);
         assert_eq!(together.len(), starts.len());
         for (number, motion) in together.iter().enumerate() {
             let [lone] = &of(&starts[number..=number])[..] else { panic!("one motion") };
-            assert_eq!(motion.samples.len(), starts[number].samples());
             assert_eq!(starts[number].after, after);
-            assert!(numbers(motion) == numbers(lone), "{direction:?} {number}");
-            let beyond = R::of(1.0e30);
-            assert!(
-                motion.gaps().all(|gap| gap.upper < beyond),
-                "{direction:?} {number} is shared"
-            );
+            assert!(motion == lone, "{direction:?} {number}");
+            let (gaps, beyond) = (motion[LOWER].len() - 1, R::of(-1.0e30));
+            let is_shared = motion[LOWER][..gaps].iter().all(|lower| *lower > beyond);
+            assert!(is_shared, "{direction:?} {number} is shared");
         }
     }
 

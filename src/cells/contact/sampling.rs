@@ -1,30 +1,30 @@
 //! What the two integrators of shared motions have in common: motions on the lanes of a vector, and the values that
 //! are kept of each gap between two samples.
 
-use super::shared_motion::{Direction, MotionSet, SLACK, Sample, SampledMotion};
+use super::motions::{
+    ACCELERATION, BOTTOM, DISPLACEMENT, LOWER, LOWER_SO_FAR, MINUS_LOWER_SO_FAR, TOP, UPPER,
+    UPPER_SO_FAR, VELOCITY, Z,
+};
+use super::shared_motion::{Direction, MotionSet, SLACK};
+use super::written_motions::{BEYOND, Row};
 use crate::model::excitation::Cell;
-use crate::model::real::{Real, Vector};
+use crate::model::real::Vector;
 use crate::stepping::lanes::{Job, Lanes};
 use crate::stepping::log::Listener;
 use crate::stepping::state::RUNNING;
 
-/// Assigns each motion of a set to a lane. The result also has the motions, still empty, whose gaps are divided into
-/// a given number of parts.
+/// Assigns each motion of a set to a lane.
 #[inline(always)]
 pub(crate) fn load<V: Vector, L: Listener<V>>(
     lanes: &mut Lanes<V, L>,
     set: &MotionSet<V::Element>,
-    parts: u32,
-) -> Vec<SampledMotion<V::Element>> {
-    let mut sampled = Vec::with_capacity(set.starts.len());
+) {
     for (number, start) in set.starts.iter().enumerate() {
-        sampled.push(SampledMotion::of(start.samples(), parts));
         let cell = Cell { body: number as u32, steps: start.steps(), ..start.cell };
         if start.state.status == RUNNING && cell.steps > 0 {
             lanes.load(number, Job { number, cell, state: start.state });
         }
     }
-    sampled
 }
 
 /// X or Y of each lane since the begin of its gap.
@@ -34,13 +34,18 @@ pub(crate) struct Gaps<V> {
     most: V,
     /// The largest change within a step.
     change: V,
+    /// The largest upper bound, and the largest negative of the lower bound, of all gaps so far.
+    upper_so_far: V,
+    minus_lower_so_far: V,
 }
 
 impl<V: Vector> Gaps<V> {
-    /// The values at the start of a gap.
+    /// The values at the start of the first gap.
     #[inline(always)]
     pub fn at(now: V) -> Gaps<V> {
-        Gaps { now, least: now, most: now, change: now.like(0.0) }
+        let [change, none] = [now.like(0.0), now.like(-BEYOND)];
+        let [upper_so_far, minus_lower_so_far] = [none; 2];
+        Gaps { now, least: now, most: now, change, upper_so_far, minus_lower_so_far }
     }
 
     /// Some lanes have finished a step.
@@ -60,55 +65,37 @@ impl<V: Vector> Gaps<V> {
         self.change = V::select(lanes, self.change.like(0.0), self.change);
     }
 
-    /// What is known of the gap of each lane, except its crest and the least value so far: bounds that allow for the
-    /// values between the ends of steps.
+    /// The row at the sample of each lane, without what belongs to the contact forces; the gaps of some lanes end there. The
+    /// bounds of a gap allow for the values between the ends of steps.
     #[inline(always)]
-    pub fn known(&self, crest: V, least_so_far: V) -> Known<V> {
-        let Gaps { least, most, change, now } = *self;
+    pub fn row<L: Listener<V>>(
+        &mut self,
+        over: V::Mask,
+        lanes: &Lanes<V, L>,
+        direction: Direction,
+    ) -> Row<V> {
+        let Gaps { least, most, change, now, .. } = *self;
         let slack = least.like(SLACK).mul_add(most.abs().max(least.abs()), change);
-        Known { now, lower: least - slack, upper: most + slack, crest, least_so_far }
+        let (lower, upper) = (least - slack, most + slack);
+        let (above, below) = (self.upper_so_far, self.minus_lower_so_far);
+        self.upper_so_far = V::select(over, above.max(upper), above);
+        self.minus_lower_so_far = V::select(over, below.max(-lower), below);
+        let mut row = [now.like(0.0); _];
+        let (motion, extremes) = (lanes.motion(), lanes.extremes());
+        (row[ACCELERATION], row[LOWER]) = (now, lower);
+        match direction {
+            Direction::Horizontal => {
+                (row[DISPLACEMENT], row[VELOCITY], row[Z]) = (motion.u, motion.du, motion.z);
+                (row[TOP], row[UPPER]) = (extremes.max_u, upper);
+                row[UPPER_SO_FAR] = self.upper_so_far;
+                row[MINUS_LOWER_SO_FAR] = self.minus_lower_so_far;
+            }
+            Direction::Vertical => {
+                (row[DISPLACEMENT], row[VELOCITY]) = (motion.v, motion.dv);
+                (row[BOTTOM], row[TOP]) = (extremes.least_v, extremes.most_v);
+                row[LOWER_SO_FAR] = -self.minus_lower_so_far;
+            }
+        }
+        row
     }
-}
-
-/// X or Y at the sample of each lane and in the gap that ends there, as in a [`Sample`].
-pub(crate) struct Known<V> {
-    now: V,
-    lower: V,
-    upper: V,
-    crest: V,
-    least_so_far: V,
-}
-
-/// Adds the sample at which a lane is.
-#[inline(always)]
-pub(crate) fn add<V: Vector, L: Listener<V>>(
-    sampled: &mut SampledMotion<V::Element>,
-    lanes: &Lanes<V, L>,
-    lane: usize,
-    direction: Direction,
-    known: &Known<V>,
-) {
-    let (motion, extremes) = (lanes.motion(), lanes.extremes());
-    let zero = V::Element::of(0.0);
-    let (displacement, velocity, z, bottom, top) = match direction {
-        Direction::Horizontal => {
-            (motion.u, motion.du, motion.z.lane(lane), zero, extremes.max_u.lane(lane))
-        }
-        Direction::Vertical => {
-            let range = (extremes.least_v.lane(lane), extremes.most_v.lane(lane));
-            (motion.v, motion.dv, zero, range.0, range.1)
-        }
-    };
-    sampled.samples.push(Sample {
-        displacement: displacement.lane(lane),
-        velocity: velocity.lane(lane),
-        z,
-        acceleration: known.now.lane(lane),
-        lower: known.lower.lane(lane),
-        upper: known.upper.lane(lane),
-        crest: known.crest.lane(lane),
-        least_so_far: known.least_so_far.lane(lane),
-        bottom,
-        top,
-    });
 }

@@ -86,17 +86,18 @@ fn stays_final<R: Real>(set: &CellEquations<R>, state: &State<R>) -> bool {
 #[inline(always)]
 fn friction_before<R: Real>(motions: &MotionPair<R>, size: R, sample: usize, known: R) -> R {
     let (mut friction, none) = (known, R::of(0.0));
-    if motions.still && sample > 0 {
+    if !motions.variant.asked.forces || sample == 0 {
+        return known;
+    }
+    if motions.still {
         let y = motions.up.field(ACCELERATION)[0];
         let magnitude = motions.across.field(MAGNITUDE_SO_FAR)[sample - 1];
         return if y > none { size * magnitude / y } else { none };
     }
-    if motions.variant.asked.forces && !motions.still {
-        vectorized!(motions.level, none => {
-            friction = at_samples(motions, size, sample, known, none);
-            friction = crests(motions, size, sample, friction, none);
-        });
-    }
+    vectorized!(motions.level, none => {
+        friction = at_samples(motions, size, sample, known, none);
+        friction = crests(motions, size, sample, friction, none);
+    });
     friction
 }
 
@@ -131,7 +132,10 @@ fn meet_forces<R: Real>(
     state: &mut State<R>,
 ) {
     let v = motions.up;
-    let least = v.field(LEAST_SO_FAR)[sample.min(v.length - 1)];
+    let mut least = model.gravity;
+    if motions.variant.asked.forces {
+        least = v.field(LEAST_SO_FAR)[sample.min(v.length - 1)];
+    }
     state.min_contact = if least < model.gravity { least } else { model.gravity };
     state.friction = friction;
 }

@@ -1,4 +1,4 @@
-//! A motion in full contact, sample by sample, with the values that cells need that share it: see
+//! The motions in full contact that cells share: their directions, and the data with which they begin. See
 //! [`full_contact`](super::full_contact).
 
 use crate::cells::plan::Plan;
@@ -18,43 +18,6 @@ pub(crate) const SLACK: f64 = 2.0e-3;
 /// The share of the weight, or of the largest |X|, by which the parabolas through parts of a gap may miss an extremum
 /// there. A faster motion is not shared.
 const MISSED: f64 = 5.0e-4;
-
-/// A motion in one direction at a sample, and in the gap that ends there.
-#[derive(Clone, Copy, PartialEq)]
-pub struct Sample<R> {
-    /// u or v, m.
-    pub displacement: R,
-    /// Its rate, m/s.
-    pub velocity: R,
-    /// z of u.
-    pub z: R,
-    /// X or Y of (14), m/s^2.
-    pub acceleration: R,
-    /// Bounds of the acceleration in the gap.
-    pub lower: R,
-    pub upper: R,
-    /// Its largest magnitude (for v its least value) in the gap, crests between steps included.
-    pub crest: R,
-    /// Least of the acceleration so far.
-    pub least_so_far: R,
-    /// Least v so far, m; zero for u.
-    pub bottom: R,
-    /// Largest |u|, or largest v, so far, m.
-    pub top: R,
-}
-
-/// A motion in one direction, sample by sample.
-pub struct SampledMotion<R> {
-    /// The samples. No gap ends at the first.
-    pub samples: Vec<Sample<R>>,
-    /// The acceleration after each part of a gap: a quarter of X, an eighth of Y.
-    pub inside: Vec<Vec<R>>,
-    /// Up to and with each gap: the largest upper bound, the largest negative of the lower bound, and the largest
-    /// magnitude of the acceleration.
-    pub upper_so_far: Vec<R>,
-    pub minus_lower_so_far: Vec<R>,
-    pub magnitude_so_far: Vec<R>,
-}
 
 /// Which of the two directions a motion is in.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,15 +44,13 @@ impl Direction {
         }
     }
 
-    /// The error of the parabolas through parts of gaps that is allowed, m/s^2.
-    pub(crate) fn allowed<R: Real>(self, sampled: &SampledMotion<R>, gravity: R) -> R {
-        R::of(MISSED)
-            * match self {
-                Direction::Horizontal => {
-                    sampled.gaps().fold(R::of(0.0), |most, gap| most.max(gap.crest))
-                }
-                Direction::Vertical => gravity,
-            }
+    /// The error of the parabolas through parts of gaps that is allowed in a motion with this largest |X|, m/s^2.
+    pub(crate) fn allowed<R: Real>(self, magnitude: R, gravity: R) -> R {
+        let of = match self {
+            Direction::Horizontal => magnitude,
+            Direction::Vertical => gravity,
+        };
+        R::of(MISSED) * of
     }
 
     /// The larger of the value so far and the largest |X|, or the lesser of the value so far and the least Y, on the
@@ -185,65 +146,4 @@ pub struct MotionSet<'a, R> {
     pub record: &'a [Ground<R>],
     /// The starts of the motions.
     pub starts: &'a [Start<R>],
-}
-
-/// A bound beyond any acceleration, m/s^2.
-fn beyond<R: Real>() -> R {
-    R::of(f64::from(f32::MAX))
-}
-
-impl<R: Real> SampledMotion<R> {
-    /// A motion of a given number of samples, still empty.
-    pub(crate) fn of(count: usize, parts: u32) -> SampledMotion<R> {
-        SampledMotion {
-            samples: Vec::with_capacity(count),
-            inside: (1..parts).map(|_| Vec::with_capacity(count)).collect(),
-            upper_so_far: Vec::new(),
-            minus_lower_so_far: Vec::new(),
-            magnitude_so_far: Vec::new(),
-        }
-    }
-
-    /// The gaps, each with the sample that ends it.
-    pub(crate) fn gaps(&self) -> impl Iterator<Item = &Sample<R>> {
-        self.samples.iter().skip(1)
-    }
-
-    /// The same with the full number of samples. A motion that exceeds the range of the number type ends early: cells
-    /// that share it integrate by themselves.
-    pub(crate) fn filled(mut self, count: usize) -> SampledMotion<R> {
-        if let Some(&last) = self.samples.last()
-            && self.samples.len() < count
-        {
-            self.samples.resize(count, last);
-            self.bound_nothing();
-        }
-        self
-    }
-
-    /// With these bounds every cell may lift in every gap, and so integrates by itself.
-    fn bound_nothing(&mut self) {
-        for sample in &mut self.samples {
-            (sample.lower, sample.upper) = (-beyond::<R>(), beyond());
-        }
-    }
-
-    /// Computes what depends on all gaps; `missed`: the parts of gaps do not describe the crests.
-    pub(crate) fn finish(mut self, missed: bool) -> SampledMotion<R> {
-        if missed {
-            self.bound_nothing();
-        }
-        let largest = |of: &dyn Fn(&Sample<R>) -> R| {
-            let mut most = -beyond::<R>();
-            let so_far = self.gaps().map(|gap| {
-                most = most.max(of(gap));
-                most
-            });
-            so_far.collect()
-        };
-        let upper_so_far = largest(&|gap| gap.upper);
-        let minus_lower_so_far = largest(&|gap| -gap.lower);
-        let magnitude_so_far = largest(&|gap| gap.crest);
-        SampledMotion { upper_so_far, minus_lower_so_far, magnitude_so_far, ..self }
-    }
 }
