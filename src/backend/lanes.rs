@@ -8,6 +8,7 @@ use fearless_simd::Level;
 
 use super::cell_run::CellRun;
 use super::order::by_motions;
+use crate::cells::listing::CellAt;
 use crate::cells::ready::Cells;
 use crate::model::precision::Precision;
 use crate::model::real::Real;
@@ -103,7 +104,9 @@ fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Bl
     let record = plan.record::<R>();
     let all = Cells::of(plan, grid, cells, &record, observer);
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
-    let order = all.of_motions.as_ref().map(|motions| install(|| by_motions(motions, grid, cells)));
+    let substeps = |cell: &CellAt| all.tables.clock(cell).substeps;
+    let order = all.of_motions.as_ref();
+    let order = order.map(|motions| install(|| by_motions(motions, (grid, cells), substeps)));
     let queue = AtomicUsize::new(0);
     let outcomes = Mutex::new(Block::pending(cells.len(), R::PRECISION));
     install(|| {

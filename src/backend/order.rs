@@ -2,7 +2,8 @@
 //!
 //! A cell begins with a search along its two motions in full contact. Cells with the same motions follow one another,
 //! so that these motions stay in the fastest caches: in a map whose first axis changes the motions, each cell of a
-//! row would otherwise read other motions from memory.
+//! row would otherwise read other motions from memory. Of a record, cells with short steps take longest and begin first,
+//! so that the last cells do not keep few lanes busy for long.
 
 use rayon::prelude::*;
 
@@ -12,23 +13,28 @@ use crate::scene::Grid;
 /// The number of motions of u that stay in the cache of a core while the motions of v are read.
 const STRIP: usize = 8;
 
-/// The places of the cells of a list in the order in which they begin: by strips of motions of u, and in each strip
-/// by motions of v. `motions` tells where cells find their motions.
-pub fn by_motions(motions: &[Index; 2], grid: &Grid, cells: &[usize]) -> Vec<u32> {
+/// The places of the cells of a list in the order in which they begin: by the powers of 2 in their numbers of steps in a
+/// gap, by strips of motions of u, and in each strip by motions of v. `motions` tells where cells find their motions.
+pub fn by_motions(
+    motions: &[Index; 2],
+    (grid, cells): (&Grid, &[usize]),
+    substeps: impl Fn(&CellAt) -> u32 + Sync,
+) -> Vec<u32> {
     let [across, up] = motions;
-    let keys: Vec<[u32; 2]> = cells
+    let keys: Vec<[u32; 3]> = cells
         .par_iter()
         .enumerate()
         .with_min_len(1 << 12)
         .map(|(number, &cell)| {
             let cell = CellAt { number, place: grid.place(cell) };
             // The memory limit keeps the motions below 2^32.
-            [(across.of(&cell) / STRIP) as u32, up.of(&cell) as u32]
+            let strip = (across.of(&cell) / STRIP) as u32;
+            [substeps(&cell).leading_zeros(), strip, up.of(&cell) as u32]
         })
         .collect();
     // A list has fewer than 2^32 cells: it is a batch of a sweep, or the cells that a refined map requests.
     let order = (0..cells.len() as u32).collect();
-    [1, 0]
+    [2, 1, 0]
         .into_iter()
         .fold(order, |order, digit| sorted(order, |place| keys[place as usize][digit]))
 }
@@ -78,7 +84,7 @@ mod tests {
         let grid = Grid::of(&scene);
         let cells: Vec<usize> = (0..grid.len()).filter(|cell| cell % 5 != 3).collect();
         let motions = Cells::<f32>::of(&plan, &grid, &cells, &[], &Unwatched).of_motions.unwrap();
-        let order = by_motions(&motions, &grid, &cells);
+        let order = by_motions(&motions, (&grid, &cells), |_| 1);
         let mut sorted = order.clone();
         sorted.sort_unstable();
         assert_eq!(sorted, (0..cells.len() as u32).collect::<Vec<u32>>());

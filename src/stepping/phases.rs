@@ -33,8 +33,13 @@ impl<'a, V: Vector> Set<'a, V> {
         Set { lanes, long: vec![None; V::LANES], waiting: Vec::new() }
     }
 
+    /// The number of lanes that have a cell.
+    fn count(&self) -> usize {
+        self.lanes.running().count_ones() as usize
+    }
+
     fn is_full(&self) -> bool {
-        self.lanes.running().count_ones() as usize == V::LANES
+        self.count() == V::LANES
     }
 
     fn is_empty(&self) -> bool {
@@ -110,13 +115,12 @@ impl<'a, V: Vector> Phases<'a, V> {
             if rounds.is_multiple_of(TURNS) && feed.cancelled() {
                 return;
             }
-            // While there are more cells, standing blocks wait until all lanes have one.
-            let stand = self.standing.is_full() || (!more && !self.standing.is_empty());
-            if stand {
+            // Standing blocks wait until all lanes have one. Without more cells the set with the most cells is next, so
+            // that few lanes are idle.
+            let fuller = self.standing.count() >= self.turning.count();
+            if self.standing.is_full() || (!more && fuller) {
                 self.stand(feed);
-            }
-            let waits = stand && more;
-            if !waits && !self.turning.is_empty() {
+            } else {
                 self.turn(feed);
             }
         }
