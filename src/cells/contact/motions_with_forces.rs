@@ -260,6 +260,7 @@ fn kept_crest<V: Vector>(direction: Direction, values: &[V; MOST_PARTS + 1]) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cells::contact::bounded_motions;
     use crate::cells::contact::motions::LOWER;
     use crate::cells::contact::shared_motion::Start;
     use crate::cells::plan::Plan;
@@ -269,18 +270,22 @@ mod tests {
     use crate::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
     use crate::work::vectors::lanes_of;
 
-    /// The numbers of motions, quantity by quantity.
-    fn numbers<R: Real>(set: MotionSet<R>, level: Level) -> Vec<Vec<Vec<R>>> {
-        let fields = set.direction.fields(true);
+    /// The numbers of motions, quantity by quantity, with the contact forces or without them.
+    fn numbers<R: Real>(set: MotionSet<R>, level: Level, forces: bool) -> Vec<Vec<Vec<R>>> {
+        let fields = set.direction.fields(forces);
         let motion = |start: &Start<R>| vec![vec![R::of(0.0); start.samples()]; fields];
         let mut motions: Vec<Vec<Vec<R>>> = set.starts.iter().map(motion).collect();
         let places = motions.iter_mut().map(|motion| motion.iter_mut().map(|of| &mut of[..]));
         let mut places: Vec<Places<R>> = places.map(Iterator::collect).collect();
-        integrate(set, &mut places, level);
+        match forces {
+            true => integrate(set, &mut places, level),
+            false => bounded_motions::integrate(set, &mut places, level),
+        }
         motions
     }
 
-    /// Lanes that wait, that have ended or that have no motion do not change the other lanes.
+    /// Lanes that wait, that have ended or that have no motion do not change the other lanes. Without contact forces no lane
+    /// waits, and what is kept is the same.
     fn each_is_what_it_is_alone<R: Real>(scene: &Scene, direction: Direction) {
         let plan = Plan::new(scene, 0.01).unwrap();
         let record: Vec<Ground<R>> = plan.record();
@@ -296,13 +301,20 @@ mod tests {
             cases.map(|case| Start::of(clock, &case, direction, after)).collect();
         let variant = Variant { certificate: false, ..alone.variant() };
         let (record, level) = (&record[..], Level::new());
-        let of = |starts| numbers(MotionSet { variant, direction, record, starts }, level);
-        let together = of(&starts);
+        let of = |starts, forces| {
+            numbers(MotionSet { variant, direction, record, starts }, level, forces)
+        };
+        let [together, bounded] = [true, false].map(|forces| of(&starts, forces));
         assert_eq!(together.len(), starts.len());
         for (number, motion) in together.iter().enumerate() {
-            let [lone] = &of(&starts[number..=number])[..] else { panic!("one motion") };
+            let [lone] = &of(&starts[number..=number], true)[..] else { panic!("one motion") };
             assert_eq!(starts[number].after, after);
             assert!(motion == lone, "{direction:?} {number}");
+            let bounded = &bounded[number];
+            assert!(
+                motion[..bounded.len()] == bounded[..],
+                "{direction:?} {number} without forces"
+            );
             let (gaps, beyond) = (motion[LOWER].len() - 1, R::of(-1.0e30));
             let is_shared = motion[LOWER][..gaps].iter().all(|lower| *lower > beyond);
             assert!(is_shared, "{direction:?} {number} is shared");

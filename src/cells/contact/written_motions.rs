@@ -1,5 +1,5 @@
-//! The motions of the lanes of a vector while they are integrated: their numbers go to their [places](Places), as many
-//! samples at once as fit in the cache. (To store each number of each lane by itself took longer than the integration.)
+//! The motions of the lanes of a vector while they are integrated: their numbers go to their [places](Places), some samples
+//! at once. To store the numbers of each lane at each sample took as long as the integration.
 
 use super::motions::{
     ACCELERATION, BOTTOM, DISPLACEMENT, EIGHTHS_V, LEAST, LEAST_SO_FAR, LOWER, LOWER_SO_FAR,
@@ -12,6 +12,7 @@ use crate::stepping::lanes::each;
 
 /// The number of rows that are stored at once, one bit of a number each.
 const ROWS: usize = 32;
+
 /// The quantities of a sample of each lane, and of the gap that ends there.
 pub(crate) type Row<V> = [V; MOST_FIELDS];
 
