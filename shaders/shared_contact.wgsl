@@ -9,6 +9,7 @@ const VELOCITY = 1u;
 const ACCELERATION = 2u;
 const LOWER = 3u;
 const TOP = 4u;
+// Of u; from MAGNITUDE_SO_FAR on only where contact forces are requested.
 const Z = 5u;
 const UPPER = 6u;
 const UPPER_SO_FAR = 7u;
@@ -16,6 +17,7 @@ const MINUS_LOWER_SO_FAR = 8u;
 const MAGNITUDE_SO_FAR = 9u;
 const MAGNITUDE = 10u;
 const QUARTERS_H = 11u;
+// Of v; from LEAST_SO_FAR on likewise.
 const BOTTOM = 5u;
 const LOWER_SO_FAR = 6u;
 const LEAST_SO_FAR = 7u;

@@ -7,7 +7,7 @@ use std::sync::{Mutex, PoisonError};
 use fearless_simd::Level;
 
 use super::cell_run::CellRun;
-use super::order::by_motions;
+use super::order::begin_order;
 use crate::cells::listing::CellAt;
 use crate::cells::ready::Cells;
 use crate::model::precision::Precision;
@@ -29,7 +29,7 @@ struct ThreadFeed<'a, R> {
     run: &'a CellRun<'a>,
     observer: &'a dyn Observer,
     all: &'a Cells<'a, R>,
-    /// See [`by_motions`]; without shared motions the order of the list.
+    /// See [`begin_order`]; under a pulse without shared motions the order of the list.
     order: Option<&'a [u32]>,
     queue: &'a AtomicUsize,
     outcomes: &'a Mutex<Block>,
@@ -104,9 +104,10 @@ fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Bl
     let record = plan.record::<R>();
     let all = Cells::of(plan, grid, cells, &record, observer);
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
-    let substeps = |cell: &CellAt| all.tables.clock(cell).substeps;
-    let order = all.of_motions.as_ref();
-    let order = order.map(|motions| install(|| by_motions(motions, (grid, cells), substeps)));
+    let (recorded, motions) = (shared.variant.recorded, all.of_motions.as_ref());
+    let substeps = |cell: &CellAt| if recorded { all.tables.clock(cell).substeps } else { 1 };
+    let order = (recorded || motions.is_some())
+        .then(|| install(|| begin_order(motions, (grid, cells), substeps)));
     let queue = AtomicUsize::new(0);
     let outcomes = Mutex::new(Block::pending(cells.len(), R::PRECISION));
     install(|| {

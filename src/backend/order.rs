@@ -2,8 +2,8 @@
 //!
 //! A cell begins with a search along its two motions in full contact. Cells with the same motions follow one another,
 //! so that these motions stay in the fastest caches: in a map whose first axis changes the motions, each cell of a
-//! row would otherwise read other motions from memory. Of a record, cells with short steps take longest and begin first,
-//! so that the last cells do not keep few lanes busy for long.
+//! row would otherwise read other motions from memory. Under a record cells with short steps take longest. They begin
+//! first, so that the last cells do not keep few lanes busy for long.
 
 use rayon::prelude::*;
 
@@ -14,22 +14,23 @@ use crate::scene::Grid;
 const STRIP: usize = 8;
 
 /// The places of the cells of a list in the order in which they begin: by the powers of 2 in their numbers of steps in a
-/// gap, by strips of motions of u, and in each strip by motions of v. `motions` tells where cells find their motions.
-pub fn by_motions(
-    motions: &[Index; 2],
+/// gap, by strips of motions of u, and in each strip by motions of v. `motions` tells where cells find their motions, if they
+/// share any.
+pub fn begin_order(
+    motions: Option<&[Index; 2]>,
     (grid, cells): (&Grid, &[usize]),
     substeps: impl Fn(&CellAt) -> u32 + Sync,
 ) -> Vec<u32> {
-    let [across, up] = motions;
     let keys: Vec<[u32; 3]> = cells
         .par_iter()
         .enumerate()
         .with_min_len(1 << 12)
         .map(|(number, &cell)| {
             let cell = CellAt { number, place: grid.place(cell) };
+            let of = motions.map(|of| of.each_ref().map(|motions| motions.of(&cell)));
+            let [across, up] = of.unwrap_or_default();
             // The memory limit keeps the motions below 2^32.
-            let strip = (across.of(&cell) / STRIP) as u32;
-            [substeps(&cell).leading_zeros(), strip, up.of(&cell) as u32]
+            [substeps(&cell).leading_zeros(), (across / STRIP) as u32, up as u32]
         })
         .collect();
     // A list has fewer than 2^32 cells: it is a batch of a sweep, or the cells that a refined map requests.
@@ -84,7 +85,7 @@ mod tests {
         let grid = Grid::of(&scene);
         let cells: Vec<usize> = (0..grid.len()).filter(|cell| cell % 5 != 3).collect();
         let motions = Cells::<f32>::of(&plan, &grid, &cells, &[], &Unwatched).of_motions.unwrap();
-        let order = by_motions(&motions, (&grid, &cells), |_| 1);
+        let order = begin_order(Some(&motions), (&grid, &cells), |_| 1);
         let mut sorted = order.clone();
         sorted.sort_unstable();
         assert_eq!(sorted, (0..cells.len() as u32).collect::<Vec<u32>>());
@@ -96,5 +97,25 @@ mod tests {
         for (places, columns) in pairs.filter(|(_, columns)| columns[0] == columns[1]) {
             assert!(places[0] < places[1], "column {}", columns[0]);
         }
+    }
+
+    /// The cells with the most steps in a gap begin first, also where no motions are shared.
+    #[test]
+    fn short_steps_come_first() {
+        let range = |from, to| Range::even(from, to, 5);
+        let scene = SceneBuilder::object(1)
+            .with(Parameter::TH, range(1.0, 3.0))
+            .with(Parameter::TV, range(0.2, 1.0))
+            .with(Parameter::Omega, 5.0)
+            .with(Parameter::AH, 5.0)
+            .check()
+            .unwrap();
+        let grid = Grid::of(&scene);
+        let cells: Vec<usize> = (0..grid.len()).collect();
+        let substeps = |cell: &CellAt| 1 + cell.number as u32 % 7;
+        let order = begin_order(None, (&grid, &cells), substeps);
+        let powers: Vec<u32> = order.iter().map(|place| (1 + place % 7).ilog2()).collect();
+        assert!(powers.is_sorted_by(|one, next| one >= next), "{powers:?}");
+        assert_eq!(powers.len(), cells.len());
     }
 }

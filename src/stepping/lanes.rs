@@ -127,7 +127,7 @@ pub struct Lanes<'a, V: Vector, L = ()> {
     pub log: L,
 }
 
-/// The mask of the lanes of these bits.
+/// The numbers of the bits that are set, the lowest first.
 #[inline(always)]
 pub fn each(mut bits: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {

@@ -579,8 +579,8 @@ proptest! {
 }
 
 /// Under a record with a given yield displacement u is proportional to nothing, and yet each value of T_h has one motion
-/// in full contact for all eccentricities, blocks and values of T_v. Where nobody asks for contact forces, the motions are
-/// made on vectors; all else is as it was but for rounding.
+/// in full contact for all eccentricities, blocks and values of T_v. Where no contact forces are requested, only bounds of
+/// the gaps are kept; all else is equal but for rounding.
 #[test]
 fn a_shared_full_contact_changes_no_outcome_of_a_given_device() {
     for (name, isolation) in [("yields", ""), ("linear", "psi = 1\n")] {

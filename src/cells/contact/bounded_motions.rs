@@ -29,7 +29,7 @@ fn integrate_lanes<V: Vector>(
     let mut lanes = Lanes::new(Shared { variant, models: &models, record }, zero, ());
     load(&mut lanes, &set);
     let mut gaps = Gaps::at(force(&lanes, direction));
-    let first = gaps.row(zero.mask(0), &lanes, direction);
+    let first = gaps.end(zero.mask(0), &lanes, direction);
     let mut written = WrittenMotions::begin(places, (direction, false), &first);
     while lanes.running() != 0 {
         let ended = if lanes.has_kinks() { lanes.advance() } else { lanes.stand() };
@@ -38,13 +38,13 @@ fn integrate_lanes<V: Vector>(
         // The gaps of a pulse are its steps.
         let over = if variant.recorded { through & lanes.between_segments() } else { through };
         if V::any(over) {
-            let row = gaps.row(over, &lanes, direction);
+            let row = gaps.end(over, &lanes, direction);
             written.add(V::bits(over), &row);
             gaps.begin(over);
         }
         lanes.leave_off(ended);
     }
-    written.end(V::LANES, |_, _| false);
+    written.end(|_, _| false);
 }
 
 /// X or Y in each lane.

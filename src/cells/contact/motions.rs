@@ -4,6 +4,7 @@
 
 use fearless_simd::Level;
 
+use super::shared_motion::Direction;
 use crate::cells::listing::Entries;
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
@@ -27,8 +28,8 @@ pub const UPPER: usize = 6;
 pub const UPPER_SO_FAR: usize = 7;
 /// Of u: largest negative of the lower bound, up to and with each gap.
 pub const MINUS_LOWER_SO_FAR: usize = 8;
-/// Of u: largest magnitude of the acceleration up to and with each gap. This quantity and those after it are kept only where
-/// contact forces are requested.
+/// Of u: largest magnitude of the acceleration up to and with each gap. This quantity and those after it are kept only
+/// where contact forces are requested.
 pub const MAGNITUDE_SO_FAR: usize = 9;
 /// Of u: largest magnitude of the acceleration between each sample and the next, crests between steps included.
 pub const MAGNITUDE: usize = 10;
@@ -49,6 +50,57 @@ pub const EIGHTHS_V: usize = 9;
 
 /// The most quantities of a motion.
 pub const MOST_FIELDS: usize = 16;
+
+impl Direction {
+    /// The quantities of samples that are kept, with the contact forces or without them.
+    pub(crate) fn of_samples(self, forces: bool) -> &'static [usize] {
+        match (self, forces) {
+            (Direction::Horizontal, _) => &[DISPLACEMENT, VELOCITY, ACCELERATION, TOP, Z],
+            (Direction::Vertical, false) => &[DISPLACEMENT, VELOCITY, ACCELERATION, TOP, BOTTOM],
+            (Direction::Vertical, true) => {
+                &[DISPLACEMENT, VELOCITY, ACCELERATION, TOP, BOTTOM, LEAST_SO_FAR]
+            }
+        }
+    }
+
+    /// The quantities of gaps, likewise.
+    pub(crate) fn of_gaps(self, forces: bool) -> &'static [usize] {
+        const Q: usize = QUARTERS_H;
+        const E: usize = EIGHTHS_V;
+        const HORIZONTAL: [usize; 9] = [
+            LOWER,
+            UPPER,
+            UPPER_SO_FAR,
+            MINUS_LOWER_SO_FAR,
+            MAGNITUDE,
+            MAGNITUDE_SO_FAR,
+            Q,
+            Q + 1,
+            Q + 2,
+        ];
+        const VERTICAL: [usize; 10] =
+            [LOWER, LOWER_SO_FAR, LEAST, E, E + 1, E + 2, E + 3, E + 4, E + 5, E + 6];
+        match (self, forces) {
+            (Direction::Horizontal, false) => &HORIZONTAL[..4],
+            (Direction::Horizontal, true) => &HORIZONTAL,
+            (Direction::Vertical, false) => &VERTICAL[..2],
+            (Direction::Vertical, true) => &VERTICAL,
+        }
+    }
+
+    /// The number of quantities that are kept of a motion.
+    pub(crate) fn fields(self, forces: bool) -> usize {
+        self.of_samples(forces).len() + self.of_gaps(forces).len()
+    }
+
+    /// The bounds of gaps with which every cell may lift in every gap, and so integrates by itself: lower and upper ones.
+    pub(crate) fn no_bounds(self) -> [&'static [usize]; 2] {
+        match self {
+            Direction::Horizontal => [&[LOWER], &[UPPER, UPPER_SO_FAR, MINUS_LOWER_SO_FAR]],
+            Direction::Vertical => [&[LOWER, LOWER_SO_FAR], &[]],
+        }
+    }
+}
 
 /// The places of a motion's numbers, one slice for each quantity.
 pub(crate) type Places<'a, R> = Vec<&'a mut [R]>;
@@ -95,7 +147,8 @@ impl<R: Real> Motions<R> {
     pub(crate) fn places(&mut self) -> Vec<Places<'_, R>> {
         let lengths = self.first.windows(2).map(|ends| (ends[1] - ends[0]) as usize);
         let lengths: Vec<usize> = lengths.collect();
-        let mut places: Vec<Places<R>> = lengths.iter().map(|_| Vec::new()).collect();
+        let mut places: Vec<Places<R>> =
+            lengths.iter().map(|_| Vec::with_capacity(MOST_FIELDS)).collect();
         // Without a motion there are no numbers.
         let samples = self.samples().max(1);
         for mut rest in self.values.chunks_mut(samples) {
@@ -157,4 +210,24 @@ pub struct MotionPair<'a, R> {
     pub variant: Variant,
     /// The vector instructions of this machine.
     pub level: Level,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The quantities of a motion have the numbers from zero on.
+    #[test]
+    fn no_quantity_is_left_out() {
+        for direction in [Direction::Horizontal, Direction::Vertical] {
+            for forces in [false, true] {
+                let fields = [direction.of_samples(forces), direction.of_gaps(forces)];
+                let mut fields = fields.concat();
+                fields.sort_unstable();
+                let count = direction.fields(forces);
+                assert_eq!(fields, (0..count).collect::<Vec<usize>>(), "{direction:?} {forces}");
+                assert!(count <= MOST_FIELDS);
+            }
+        }
+    }
 }

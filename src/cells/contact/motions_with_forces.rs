@@ -108,7 +108,7 @@ fn integrate_lanes<V: Vector>(
     // A block that lifts at once, at a jump, has no forces on record.
     let mut so_far = none;
     let mut gap = Gaps::at(direction.of(lanes.contact()));
-    let mut first = gap.row(zero.mask(0), &lanes, direction);
+    let mut first = gap.end(zero.mask(0), &lanes, direction);
     Forces { crest: none, so_far, values: &values }.add_to(&mut first, direction);
     let mut written = WrittenMotions::begin(places, (direction, true), &first);
     let mut through = lanes.running();
@@ -139,12 +139,12 @@ fn integrate_lanes<V: Vector>(
             Direction::Horizontal => so_far.max(crest),
             Direction::Vertical => so_far.min(crest),
         };
-        let mut row = gap.row(zero.mask(through), &lanes, direction);
+        let mut row = gap.end(zero.mask(through), &lanes, direction);
         Forces { crest, so_far, values: &values }.add_to(&mut row, direction);
         written.add(through, &row);
         through &= !ended;
     }
-    written.end(V::LANES, |lane, magnitude| {
+    written.end(|lane, magnitude| {
         missed.lane(lane) > direction.allowed(magnitude, starts[lane].model.gravity)
     });
 }

@@ -65,10 +65,10 @@ impl<V: Vector> Gaps<V> {
         self.change = V::select(lanes, self.change.like(0.0), self.change);
     }
 
-    /// The row at the sample of each lane, without what belongs to the contact forces; the gaps of some lanes end there. The
-    /// bounds of a gap allow for the values between the ends of steps.
+    /// The gaps of some lanes end. The result is the row at the sample of each lane, without what belongs to the contact
+    /// forces. The bounds of a gap allow for the values between the ends of steps.
     #[inline(always)]
-    pub fn row<L: Listener<V>>(
+    pub fn end<L: Listener<V>>(
         &mut self,
         over: V::Mask,
         lanes: &Lanes<V, L>,

@@ -1,11 +1,7 @@
 //! The motions of the lanes of a vector while they are integrated: their numbers go to their [places](Places), some samples
 //! at once. To store the numbers of each lane at each sample took as long as the integration.
 
-use super::motions::{
-    ACCELERATION, BOTTOM, DISPLACEMENT, EIGHTHS_V, LEAST, LEAST_SO_FAR, LOWER, LOWER_SO_FAR,
-    MAGNITUDE, MAGNITUDE_SO_FAR, MINUS_LOWER_SO_FAR, MOST_FIELDS, Places, QUARTERS_H, TOP, UPPER,
-    UPPER_SO_FAR, VELOCITY, Z,
-};
+use super::motions::{DISPLACEMENT, MAGNITUDE_SO_FAR, MOST_FIELDS, Places};
 use super::shared_motion::Direction;
 use crate::model::real::{Real, Vector};
 use crate::stepping::lanes::each;
@@ -18,57 +14,6 @@ pub(crate) type Row<V> = [V; MOST_FIELDS];
 
 /// A bound beyond any acceleration, m/s^2.
 pub(crate) const BEYOND: f64 = f32::MAX as f64;
-
-impl Direction {
-    /// The quantities of samples that are kept, with the contact forces or without them.
-    fn of_samples(self, forces: bool) -> &'static [usize] {
-        match (self, forces) {
-            (Direction::Horizontal, _) => &[DISPLACEMENT, VELOCITY, ACCELERATION, TOP, Z],
-            (Direction::Vertical, false) => &[DISPLACEMENT, VELOCITY, ACCELERATION, TOP, BOTTOM],
-            (Direction::Vertical, true) => {
-                &[DISPLACEMENT, VELOCITY, ACCELERATION, TOP, BOTTOM, LEAST_SO_FAR]
-            }
-        }
-    }
-
-    /// The quantities of gaps, likewise.
-    fn of_gaps(self, forces: bool) -> &'static [usize] {
-        const Q: usize = QUARTERS_H;
-        const E: usize = EIGHTHS_V;
-        const HORIZONTAL: [usize; 9] = [
-            LOWER,
-            UPPER,
-            UPPER_SO_FAR,
-            MINUS_LOWER_SO_FAR,
-            MAGNITUDE,
-            MAGNITUDE_SO_FAR,
-            Q,
-            Q + 1,
-            Q + 2,
-        ];
-        const VERTICAL: [usize; 10] =
-            [LOWER, LOWER_SO_FAR, LEAST, E, E + 1, E + 2, E + 3, E + 4, E + 5, E + 6];
-        match (self, forces) {
-            (Direction::Horizontal, false) => &HORIZONTAL[..4],
-            (Direction::Horizontal, true) => &HORIZONTAL,
-            (Direction::Vertical, false) => &VERTICAL[..2],
-            (Direction::Vertical, true) => &VERTICAL,
-        }
-    }
-
-    /// The number of quantities that are kept of a motion.
-    pub(crate) fn fields(self, forces: bool) -> usize {
-        self.of_samples(forces).len() + self.of_gaps(forces).len()
-    }
-
-    /// The bounds of gaps with which every cell may lift in every gap, and so integrates by itself: lower and upper ones.
-    fn no_bounds(self) -> [&'static [usize]; 2] {
-        match self {
-            Direction::Horizontal => [&[LOWER], &[UPPER, UPPER_SO_FAR, MINUS_LOWER_SO_FAR]],
-            Direction::Vertical => [&[LOWER, LOWER_SO_FAR], &[]],
-        }
-    }
-}
 
 /// Motions that are integrated together, one in each lane.
 pub(crate) struct WrittenMotions<'a, 'b, R> {
@@ -85,6 +30,8 @@ pub(crate) struct WrittenMotions<'a, 'b, R> {
     /// The number of these rows, and which of them each lane has, one bit each.
     rows: usize,
     has: Vec<u32>,
+    /// The number of lanes of a vector.
+    lanes: usize,
 }
 
 impl<'a, 'b, R: Real> WrittenMotions<'a, 'b, R> {
@@ -115,10 +62,11 @@ impl<'a, 'b, R: Real> WrittenMotions<'a, 'b, R> {
             blocks,
             rows: 0,
             has,
+            lanes: V::LANES,
         }
     }
 
-    /// Adds a row to the motions of some lanes, one bit each.
+    /// Adds a row to the motions of some lanes, one bit each. No motion is given more rows than it has gaps.
     #[inline(always)]
     pub(crate) fn add<V: Vector<Element = R>>(&mut self, lanes: u64, row: &Row<V>) {
         let blocks = self.blocks.chunks_exact_mut(ROWS * V::LANES);
@@ -130,13 +78,15 @@ impl<'a, 'b, R: Real> WrittenMotions<'a, 'b, R> {
         }
         self.rows += 1;
         if self.rows == ROWS {
-            self.store(V::LANES);
+            self.store();
         }
     }
 
-    /// Stores all rows, of vectors of so many lanes.
+    /// Stores all rows.
     #[inline(never)]
-    fn store(&mut self, vector: usize) {
+    fn store(&mut self) {
+        let lanes = self.lanes;
+        // Where there is no row, no lane has one.
         let all = u32::MAX >> (ROWS - self.rows.max(1));
         for (lane, places) in self.places.iter_mut().enumerate() {
             let has = std::mem::take(&mut self.has[lane]);
@@ -144,16 +94,16 @@ impl<'a, 'b, R: Real> WrittenMotions<'a, 'b, R> {
             let of_samples = self.of_samples.iter().map(|field| (*field, stored));
             // A gap has the number of the sample at its begin.
             let of_gaps = self.of_gaps.iter().map(|field| (*field, stored - 1));
-            let blocks = self.blocks.chunks_exact(ROWS * vector);
+            let blocks = self.blocks.chunks_exact(ROWS * lanes);
             for (block, (field, from)) in blocks.zip(of_samples.chain(of_gaps)) {
                 let to = &mut places[field][from..from + added];
                 if has == all {
-                    for (to, row) in to.iter_mut().zip(block.chunks_exact(vector)) {
+                    for (to, row) in to.iter_mut().zip(block.chunks_exact(lanes)) {
                         *to = row[lane];
                     }
                 } else {
                     for (to, row) in to.iter_mut().zip(each(has.into())) {
-                        *to = block[row * vector + lane];
+                        *to = block[row * lanes + lane];
                     }
                 }
             }
@@ -165,8 +115,8 @@ impl<'a, 'b, R: Real> WrittenMotions<'a, 'b, R> {
     /// Ends the motions. Cells that share one for which `missed` is true integrate by themselves, and so do those that
     /// share a motion that exceeds the range of the number type, which has ended early. `missed` is given the number of the
     /// motion and its largest |X|.
-    pub(crate) fn end(mut self, vector: usize, missed: impl Fn(usize, R) -> bool) {
-        self.store(vector);
+    pub(crate) fn end(mut self, missed: impl Fn(usize, R) -> bool) {
+        self.store();
         let (direction, beyond) = (self.direction, R::of(BEYOND));
         for (lane, places) in self.places.iter_mut().enumerate() {
             let (stored, samples) = (self.stored[lane], places[DISPLACEMENT].len());
@@ -189,6 +139,68 @@ impl<'a, 'b, R: Real> WrittenMotions<'a, 'b, R> {
                 for &field in upper {
                     places[field][..gaps].fill(beyond);
                 }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::motions::{
+        LOWER, MAGNITUDE, MINUS_LOWER_SO_FAR, UPPER, UPPER_SO_FAR, VELOCITY,
+    };
+    use super::*;
+
+    /// A number for each quantity of each row.
+    fn number(field: usize, row: usize) -> f32 {
+        (1000 * field + row) as f32
+    }
+
+    /// A motion of u with so many samples after so many rows.
+    fn written(samples: usize, rows: usize, missed: bool) -> Vec<Vec<f32>> {
+        let direction = Direction::Horizontal;
+        let mut motion = vec![vec![0.0_f32; samples]; direction.fields(true)];
+        let mut places = vec![motion.iter_mut().map(|field| &mut field[..]).collect()];
+        let row = |row| -> Row<f32> { std::array::from_fn(|field| number(field, row)) };
+        let mut written = WrittenMotions::begin(&mut places, (direction, true), &row(0));
+        for number in 1..=rows {
+            written.add(1, &row(number));
+        }
+        written.end(|_, magnitude| {
+            let last = if rows > 0 { number(MAGNITUDE_SO_FAR, rows) } else { 0.0 };
+            assert_eq!(magnitude, last);
+            missed
+        });
+        motion
+    }
+
+    /// Sample k has the numbers of row k, and gap k those of row k + 1.
+    #[test]
+    fn each_number_goes_to_its_place() {
+        for rows in [0, 1, ROWS - 1, ROWS, ROWS + 1, 3 * ROWS] {
+            let motion = written(rows + 1, rows, false);
+            for (field, numbers) in motion.iter().enumerate() {
+                let samples = Direction::Horizontal.of_samples(true).contains(&field);
+                let (first, count) = if samples { (0, rows + 1) } else { (1, rows) };
+                let expected: Vec<f32> = (0..count).map(|k| number(field, first + k)).collect();
+                assert_eq!(numbers[..count], expected, "field {field}, {rows} rows");
+            }
+        }
+    }
+
+    /// A motion that ends early, or whose crests are missed, bounds nothing: its cells integrate by themselves.
+    #[test]
+    fn a_motion_that_is_not_shared_has_no_bounds() {
+        let beyond = BEYOND as f32;
+        for (samples, rows, missed) in [(50, 40, false), (41, 40, true), (7, 0, false)] {
+            let (motion, gaps) = (written(samples, rows, missed), samples - 1);
+            assert!(motion[LOWER][..gaps].iter().all(|lower| *lower == -beyond));
+            for field in [UPPER, UPPER_SO_FAR, MINUS_LOWER_SO_FAR] {
+                assert!(motion[field][..gaps].iter().all(|bound| *bound == beyond), "{field}");
+            }
+            assert_eq!(motion[VELOCITY][samples - 1], number(VELOCITY, rows));
+            if rows > 0 {
+                assert_eq!(motion[MAGNITUDE][rows - 1], number(MAGNITUDE, rows));
             }
         }
     }

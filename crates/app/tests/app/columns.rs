@@ -32,8 +32,8 @@ fn column(out: &Path, name: &str) -> Vec<String> {
     table.records().map(|row| row.unwrap()[place].to_string()).collect()
 }
 
-/// Holds a column of two maps to each other, but for rounding: without contact forces motions in full contact are made in
-/// another order.
+/// Holds a column of two maps to each other, but for rounding: without contact forces so few cells share no motions in full
+/// contact, and each integrates its own.
 fn same(one: &Path, other: &Path, name: &str) {
     let [one, other] = [one, other].map(|out| column(out, name));
     assert_eq!(one.len(), other.len());
