@@ -35,8 +35,9 @@ use crate::work::vectors::lanes_of;
 /// Largest memory for the motions, bytes; where a grid needs more, each cell integrates its own full contact.
 const MOST_MEMORY: usize = 1 << 29;
 /// The number of cells that take as long as a motion that they share, where no contact forces are requested: under
-/// 148 motions, of grids of 6 x 6, 10 x 10 and 16 x 16 over (T_h, T_v), sharing took 1.6, 1.4 and 0.66 of the time.
-const CELLS_A_MOTION: usize = 7;
+/// 148 motions, of grids of 6 x 6, 8 x 8, 10 x 10 and 16 x 16 over (T_h, T_v), sharing took 1.35, 1.13, 0.88 and 0.53 of
+/// the time.
+const CELLS_A_MOTION: usize = 4;
 
 /// The full-contact motions that cells of a plan's grid share.
 #[derive(Debug)]

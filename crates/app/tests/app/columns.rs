@@ -32,8 +32,7 @@ fn column(out: &Path, name: &str) -> Vec<String> {
     table.records().map(|row| row.unwrap()[place].to_string()).collect()
 }
 
-/// Holds a column of two maps to each other, but for rounding: without contact forces so few cells share no motions in full
-/// contact, and each integrates its own.
+/// Holds a column of two maps to each other, but for rounding: with fewer columns cells may share no motions in full contact.
 fn same(one: &Path, other: &Path, name: &str) {
     let [one, other] = [one, other].map(|out| column(out, name));
     assert_eq!(one.len(), other.len());
