@@ -48,11 +48,20 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
-    fn judge(&mut self, backend: &'static str, precision: Precision, cells: &[Outcome]) {
+    fn judge(
+        &mut self,
+        backend: &'static str,
+        plan: &Plan,
+        precision: Precision,
+        cells: &[Outcome],
+    ) {
+        let shortcuts = plan.shortcuts.certificate;
         assert_eq!(cells.len(), self.truths.len());
         let pairs: Vec<_> = cells.iter().zip(&self.truths).collect();
-        let compared: Vec<Comparison> =
-            pairs.par_iter().map(|(cell, truth)| compare(cell, truth, precision)).collect();
+        let compared: Vec<Comparison> = pairs
+            .par_iter()
+            .map(|(cell, truth)| compare(cell, truth, precision, shortcuts))
+            .collect();
         for (index, of) in compared.into_iter().enumerate() {
             if self.in_full && !(of.faults.is_empty() && of.undecided.is_none()) {
                 say(&format!("{backend}, cell {index}: {:?}", cells[index]));
@@ -80,7 +89,7 @@ impl Run<'_> {
         let grid = Grid::of(&self.case.scene);
         for (name, plan) in [(names[0], plan.clone()), (names[1], plan.full_model())] {
             let cells = cpu::sweep(R::PRECISION, &plan, &grid, &all(&grid), &Unwatched);
-            self.judge(name, precision, &cells);
+            self.judge(name, &plan, precision, &cells);
         }
     }
 
@@ -90,7 +99,7 @@ impl Run<'_> {
         let sweeper = Sweeper::new(gpu, precision, plan.variant()).unwrap();
         let cells =
             sweeper.sweep::<R>(&plan, &grid, &all(&grid), &Unwatched).unwrap().block.to_outcomes();
-        self.judge(name, precision, &cells);
+        self.judge(name, &plan, precision, &cells);
     }
 }
 

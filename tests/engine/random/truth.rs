@@ -4,8 +4,9 @@ use std::sync::OnceLock;
 
 use topple::cells::clock::DEFAULT_STEP;
 use topple::model::precision::Precision;
-use topple::scene::{Case, GRAVITY, Grid, Scene, Shaking};
+use topple::scene::{Case, Excitation, GRAVITY, Grid, Scene, Shaking};
 use topple::stepping::outcome::Outcome;
+use topple::stepping::reference::system::System;
 use topple::stepping::reference::{self, Settings, Switch};
 
 /// Columns that are numbers: names, and values.
@@ -189,15 +190,36 @@ impl Truth {
     }
 
     /// Other speeds below which a landing block rests, rad/s: that of a sweep, whose block rests when its next
-    /// flight would last less than a 32nd of a step, here the longest; and one below the reference's.
+    /// flight would last less than a 32nd of a step, here the longest; and one below the reference's. The base takes
+    /// part in a flight: the moment of gravity turns rho^2 + kappa_h H^2 + kappa_v b^2, D of (18).
     fn rest_speeds(&self) -> [f64; 2] {
         let block = &self.case.block;
-        let slowest = |side: f64| {
+        let [kappa_h, kappa_v] = self.case.isolation.shares(block).map(|share| 1.0 - share);
+        let fall = |side: f64| {
             let (b, h) = (block.arm(side), block.height);
-            GRAVITY * b / (block.inertia / block.mass + b * b + h * h)
+            GRAVITY * b / (block.inertia / block.mass + kappa_h * h * h + kappa_v * b * b)
         };
         let flight = DEFAULT_STEP / 32.0;
-        [0.5 * flight * slowest(1.0).max(slowest(-1.0)), 1.0e-6]
+        [0.5 * flight * fall(1.0).max(fall(-1.0)), 1.0e-6]
+    }
+
+    /// The impacts and uplifts up to a millisecond before the end of the excitation: no proof ends a cell earlier.
+    pub fn counts_before_proofs(&self) -> [u32; 2] {
+        let end = match &self.scene.excitation {
+            Excitation::Record(pair) => pair.duration(),
+            Excitation::Pulse(_) => System::new(&self.scene, &self.case).pulse_end(),
+        };
+        let mut counts = [0; 2];
+        reference::observe(&self.scene, &self.case, &settings(), &mut |instant| {
+            if instant.t < end - 1.0e-3 {
+                match instant.switch {
+                    Some(Switch::Impact(_)) => counts[0] += 1,
+                    Some(Switch::Uplift(_)) => counts[1] += 1,
+                    _ => {}
+                }
+            }
+        });
+        counts
     }
 
     /// The least disturbance up to the most that a precision is excused by with which the outcome moves.
