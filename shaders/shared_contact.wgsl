@@ -138,12 +138,12 @@ fn move_to(pair: MotionPair, scale: real, sample: u32, state: ptr<function, Stat
 
 // The contact forces up to a sample whose friction demand is known.
 fn meet_forces(pair: MotionPair, sample: u32, friction: real, state: ptr<function, State>) {
-    var least = model.gravity;
-    if forces {
-        least = motions[pair.v + min(sample, pair.last_v) + LEAST_SO_FAR * tile.up.more];
-    }
-    (*state).min_contact = select(model.gravity, least, least < model.gravity);
+    (*state).min_contact = model.gravity;
     (*state).friction = friction;
+    if forces {
+        let least = motions[pair.v + min(sample, pair.last_v) + LEAST_SO_FAR * tile.up.more];
+        (*state).min_contact = min(least, model.gravity);
+    }
 }
 
 // Takes a cell from its start to the first gap in which it may lift, to the step at which it is final, or to the end

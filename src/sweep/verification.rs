@@ -168,8 +168,12 @@ pub fn verify(
     (chosen, within): (&[Chosen], Duration),
     observer: &dyn Observer,
 ) -> Option<Verification> {
-    let settings =
-        Settings { rest_speed: REST_SPEED, longest_free: LONGEST_FREE, ..Settings::default() };
+    let settings = Settings {
+        rest_speed: REST_SPEED,
+        longest_free: LONGEST_FREE,
+        ends_decided: true,
+        ..Settings::default()
+    };
     let began = Instant::now();
     let judge = |&chosen: &Chosen| {
         let go_on = || !observer.cancelled() && began.elapsed() < within;

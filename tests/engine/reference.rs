@@ -2,8 +2,8 @@
 
 use approx::assert_abs_diff_eq;
 use differential_equations::prelude::*;
-use topple::scene::{Grid, Scene};
-use topple::stepping::outcome::Class;
+use topple::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
+use topple::stepping::outcome::{Class, Outcome};
 use topple::stepping::reference::system::{Drive, PHI, Phase, State as Cell, System};
 use topple::stepping::reference::{self, Instant, Settings, Switch, run};
 
@@ -182,5 +182,46 @@ fn the_reference_does_not_depend_on_its_own_settings() {
                 assert_abs_diff_eq!(a.zeta, b.zeta, epsilon = 1e-5);
             }
         }
+    }
+}
+
+/// A cell that ends once it is decided has the outcome, the first uplift and the zeta of its whole run, to the last
+/// bit, on every base whose energy does not rise; and it ends early where it rocks.
+#[test]
+fn what_is_decided_is_final() {
+    let decided = Settings { ends_decided: true, ..Settings::default() };
+    let base = |eccentricity, t_h, t_v| {
+        SceneBuilder::object(1)
+            .with(Parameter::Eccentricity, eccentricity)
+            .with(Parameter::TH, t_h)
+            .with(Parameter::TV, t_v)
+            .with(Parameter::AV, 1.0)
+            .with(Parameter::Omega, Range::even(5.0, 13.0, 7))
+            .with(Parameter::AH, Range::even(2.0, 11.0, 7))
+    };
+    let scenes = [
+        base(0.2, 1.75, 0.75),
+        base(-0.3, 4.0, 0.3),
+        base(0.0, 1.0, 1.5).with(Parameter::Psi, 0.9).with(Parameter::RestitutionFactor, 0.8),
+        base(0.4, 2.5, 0.5).with(Parameter::StopGap, 0.1).with(Parameter::StopStiffness, 2.0e5),
+        base(0.1, 2.0, 0.5).with(Parameter::VHardening, 0.05),
+        base(0.2, 1.75, 0.75).with(Parameter::Tilt, 0.01),
+    ];
+    for (number, scene) in scenes.into_iter().enumerate() {
+        let scene = scene.check().unwrap();
+        let grid = Grid::of(&scene);
+        let mut early = 0;
+        for cell in 0..grid.len() {
+            let case = grid.case(cell);
+            let mut steps = [0; 2];
+            let mut run = |k: usize, settings: &Settings| {
+                reference::observe(&scene, &case, settings, &mut |_| steps[k] += 1)
+            };
+            let (whole, short) = (run(0, &Settings::default()), run(1, &decided));
+            let of = |cell: &Outcome| (cell.class, cell.t_end, cell.t_uplift, cell.zeta);
+            assert_eq!(of(&whole), of(&short), "scene {number}, cell {cell}");
+            early += usize::from(2 * steps[1] < steps[0]);
+        }
+        assert!(early > 0, "scene {number}: no cell ended early");
     }
 }

@@ -3,7 +3,7 @@
 
 use fearless_simd::Level;
 
-use super::motions::Places;
+use super::motions::Slots;
 use super::sampling::{Gaps, load};
 use super::shared_motion::{Direction, MotionSet};
 use super::written_motions::WrittenMotions;
@@ -12,16 +12,16 @@ use crate::stepping::lanes::{Lanes, Shared};
 use crate::work::vectors::vectorized;
 
 /// Integrates motions on the vectors of a level, no more than it has [lanes](crate::work::vectors::lanes_of), and writes
-/// them to their places.
-pub fn integrate<R: Real>(set: MotionSet<R>, places: &mut [Places<R>], level: Level) {
+/// them to their slots.
+pub fn integrate<R: Real>(set: MotionSet<R>, slots: &mut [Slots<R>], level: Level) {
     let zero = R::of(0.0);
-    vectorized!(level, zero => integrate_lanes(set, places, zero));
+    vectorized!(level, zero => integrate_lanes(set, slots, zero));
 }
 
 #[inline(always)]
 fn integrate_lanes<V: Vector>(
     set: MotionSet<V::Element>,
-    places: &mut [Places<V::Element>],
+    slots: &mut [Slots<V::Element>],
     zero: V,
 ) {
     let MotionSet { variant, direction, record, starts } = set;
@@ -30,7 +30,7 @@ fn integrate_lanes<V: Vector>(
     load(&mut lanes, &set);
     let mut gaps = Gaps::at(force(&lanes, direction));
     let first = gaps.end(zero.mask(0), &lanes, direction);
-    let mut written = WrittenMotions::begin(places, (direction, false), &first);
+    let mut written = WrittenMotions::begin(slots, (direction, false), &first);
     while lanes.running() != 0 {
         let ended = if lanes.has_kinks() { lanes.advance() } else { lanes.stand() };
         let through = lanes.between_steps();

@@ -16,7 +16,7 @@ use rayon::prelude::*;
 use super::bounded_motions;
 use super::dependence::{Dependence, shared_amplitude};
 use super::kept_motions::Kept;
-use super::motions::{MotionPair, Motions, Places};
+use super::motions::{MotionPair, Motions, Slots};
 use super::motions_with_forces;
 use super::shared_motion::{Direction, MotionSet, Start};
 use crate::cells::laws::Laws;
@@ -179,16 +179,16 @@ impl<R: Real> FullContactMotions<R> {
             let starts: Vec<Start<R>> = kept.missing().par_iter().map(start).collect();
             let lengths = starts.iter().map(Start::samples);
             let mut motions = kept.with_room(direction.fields(plan.asked.forces), lengths);
-            let some = |(places, starts): (&mut [Places<R>], &[Start<R>])| {
+            let some = |(slots, starts): (&mut [Slots<R>], &[Start<R>])| {
                 let set = MotionSet { variant, direction, record, starts };
                 let integrate = || match plan.asked.forces {
-                    true => motions_with_forces::integrate(set, places, level),
-                    false => bounded_motions::integrate(set, places, level),
+                    true => motions_with_forces::integrate(set, slots, level),
+                    false => bounded_motions::integrate(set, slots, level),
                 };
                 (!observer.cancelled()).then(integrate)
             };
-            let mut places = kept.places(&mut motions);
-            places.par_chunks_mut(lanes).zip(starts.par_chunks(lanes)).try_for_each(some)?;
+            let mut slots = kept.fill(&mut motions);
+            slots.par_chunks_mut(lanes).zip(starts.par_chunks(lanes)).try_for_each(some)?;
             Some(motions)
         };
         let [across, up] = wanted;

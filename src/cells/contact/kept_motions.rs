@@ -1,6 +1,6 @@
 //! Storage of motions in full contact: those that are there already, and those that are to be integrated.
 
-use super::motions::{Motions, Places};
+use super::motions::{Motions, Slots};
 use crate::cells::listing::Entries;
 use crate::model::real::Real;
 use crate::scene::grid::Place;
@@ -34,34 +34,33 @@ impl<'a, R: Real> Kept<'a, R> {
         missing.map(|entry| self.entries.place(entry)).collect()
     }
 
-    /// All motions, of so many quantities, with zeros for those that are missing, whose numbers of samples are `lengths`.
+    /// Zeros for all motions, of so many quantities; the numbers of samples of those that are missing are `lengths`.
     pub(crate) fn with_room(
         &self,
         fields: usize,
         mut lengths: impl Iterator<Item = usize>,
     ) -> Motions<R> {
-        let count = self.entries.count();
         let length = |entry| match self.known(entry) {
             Some((motions, number)) => Some(motions.at(number).length),
             None => lengths.next(),
         };
-        let lengths: Vec<usize> = (0..count).map_while(length).collect();
-        let mut motions = Motions::new(fields, lengths.into_iter(), self.entries.clone());
-        for (entry, places) in motions.places().into_iter().enumerate() {
-            if let Some((known, number)) = self.known(entry) {
-                let known = known.at(number);
-                for (field, place) in places.into_iter().enumerate() {
-                    place.copy_from_slice(known.field(field));
-                }
-            }
-        }
-        motions
+        let lengths = (0..self.entries.count()).map_while(length);
+        Motions::new(fields, lengths, self.entries.clone())
     }
 
-    /// The places of the numbers of the missing motions.
-    pub(crate) fn places<'b>(&self, motions: &'b mut Motions<R>) -> Vec<Places<'b, R>> {
-        let places = motions.places().into_iter().enumerate();
-        let missing = places.filter(|(entry, _)| self.known(*entry).is_none());
-        missing.map(|(_, places)| places).collect()
+    /// Copies the motions that are there to their slots. The result is the slots of those that are missing.
+    pub(crate) fn fill<'b>(&self, motions: &'b mut Motions<R>) -> Vec<Slots<'b, R>> {
+        let mut missing = Vec::new();
+        for (entry, slots) in motions.slots().into_iter().enumerate() {
+            let Some((known, number)) = self.known(entry) else {
+                missing.push(slots);
+                continue;
+            };
+            let known = known.at(number);
+            for (field, slot) in slots.into_iter().enumerate() {
+                slot.copy_from_slice(known.field(field));
+            }
+        }
+        missing
     }
 }

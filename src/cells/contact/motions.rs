@@ -102,8 +102,8 @@ impl Direction {
     }
 }
 
-/// The places of a motion's numbers, one slice for each quantity.
-pub(crate) type Places<'a, R> = Vec<&'a mut [R]>;
+/// The slots of a motion's numbers, one slice for each quantity.
+pub(crate) type Slots<'a, R> = Vec<&'a mut [R]>;
 
 /// The motions of one direction.
 #[derive(Debug)]
@@ -143,22 +143,22 @@ impl<R: Real> Motions<R> {
         self.first.windows(2).map(|ends| (ends[1] - ends[0]) as usize).max().unwrap_or(0)
     }
 
-    /// The places of the numbers of each motion.
-    pub(crate) fn places(&mut self) -> Vec<Places<'_, R>> {
+    /// The slots of each motion.
+    pub(crate) fn slots(&mut self) -> Vec<Slots<'_, R>> {
         let lengths = self.first.windows(2).map(|ends| (ends[1] - ends[0]) as usize);
         let lengths: Vec<usize> = lengths.collect();
-        let mut places: Vec<Places<R>> =
+        let mut slots: Vec<Slots<R>> =
             lengths.iter().map(|_| Vec::with_capacity(MOST_FIELDS)).collect();
         // Without a motion there are no numbers.
         let samples = self.samples().max(1);
         for mut rest in self.values.chunks_mut(samples) {
-            for (places, length) in places.iter_mut().zip(&lengths) {
+            for (slots, length) in slots.iter_mut().zip(&lengths) {
                 let (of_this, others) = rest.split_at_mut(*length);
-                places.push(of_this);
+                slots.push(of_this);
                 rest = others;
             }
         }
-        places
+        slots
     }
 
     /// A motion, by its number.

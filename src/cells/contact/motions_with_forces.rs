@@ -7,7 +7,7 @@ use fearless_simd::Level;
 
 use super::gap_steps::{GapStep, PartEnds, by_quarters, gap_steps};
 use super::motions::{
-    EIGHTHS_V, LEAST, LEAST_SO_FAR, MAGNITUDE, MAGNITUDE_SO_FAR, Places, QUARTERS_H,
+    EIGHTHS_V, LEAST, LEAST_SO_FAR, MAGNITUDE, MAGNITUDE_SO_FAR, QUARTERS_H, Slots,
 };
 use super::sampling::{Gaps, load};
 use super::shared_motion::{Direction, MotionSet};
@@ -25,10 +25,10 @@ use crate::work::vectors::vectorized;
 const MOST_PARTS: usize = 8;
 
 /// Integrates motions on the vectors of a level, no more than it has [lanes](crate::work::vectors::lanes_of), and writes
-/// them to their places.
-pub fn integrate<R: Real>(set: MotionSet<R>, places: &mut [Places<R>], level: Level) {
+/// them to their slots.
+pub fn integrate<R: Real>(set: MotionSet<R>, slots: &mut [Slots<R>], level: Level) {
     let zero = R::of(0.0);
-    vectorized!(level, zero => integrate_lanes(set, places, zero));
+    vectorized!(level, zero => integrate_lanes(set, slots, zero));
 }
 
 /// X or Y in the spans of each lane: a step is one span, or several where z or u' changed its sign in it.
@@ -90,7 +90,7 @@ impl<V: Vector> Forces<'_, V> {
 #[inline(always)]
 fn integrate_lanes<V: Vector>(
     set: MotionSet<V::Element>,
-    places: &mut [Places<V::Element>],
+    slots: &mut [Slots<V::Element>],
     zero: V,
 ) {
     let MotionSet { variant, direction, record, starts } = set;
@@ -110,7 +110,7 @@ fn integrate_lanes<V: Vector>(
     let mut gap = Gaps::at(direction.of(lanes.contact()));
     let mut first = gap.end(zero.mask(0), &lanes, direction);
     Forces { crest: none, so_far, values: &values }.add_to(&mut first, direction);
-    let mut written = WrittenMotions::begin(places, (direction, true), &first);
+    let mut written = WrittenMotions::begin(slots, (direction, true), &first);
     let mut through = lanes.running();
     while through != 0 {
         gap.begin(all);
@@ -275,11 +275,11 @@ mod tests {
         let fields = set.direction.fields(forces);
         let motion = |start: &Start<R>| vec![vec![R::of(0.0); start.samples()]; fields];
         let mut motions: Vec<Vec<Vec<R>>> = set.starts.iter().map(motion).collect();
-        let places = motions.iter_mut().map(|motion| motion.iter_mut().map(|of| &mut of[..]));
-        let mut places: Vec<Places<R>> = places.map(Iterator::collect).collect();
+        let slots = motions.iter_mut().map(|motion| motion.iter_mut().map(|of| &mut of[..]));
+        let mut slots: Vec<Slots<R>> = slots.map(Iterator::collect).collect();
         match forces {
-            true => integrate(set, &mut places, level),
-            false => bounded_motions::integrate(set, &mut places, level),
+            true => integrate(set, &mut slots, level),
+            false => bounded_motions::integrate(set, &mut slots, level),
         }
         motions
     }

@@ -131,13 +131,12 @@ fn meet_forces<R: Real>(
     friction: R,
     state: &mut State<R>,
 ) {
-    let v = motions.up;
-    let mut least = model.gravity;
+    (state.min_contact, state.friction) = (model.gravity, friction);
     if motions.variant.asked.forces {
-        least = v.field(LEAST_SO_FAR)[sample.min(v.length - 1)];
+        let v = motions.up;
+        let least = v.field(LEAST_SO_FAR)[sample.min(v.length - 1)];
+        state.min_contact = least.min(model.gravity);
     }
-    state.min_contact = if least < model.gravity { least } else { model.gravity };
-    state.friction = friction;
 }
 
 /// The first gap in which a cell may lift by the largest bounds of X and the least bound of Y so far, which are

@@ -1,7 +1,7 @@
-//! The motions of the lanes of a vector while they are integrated: their numbers go to their [places](Places), some samples
+//! The motions of the lanes of a vector while they are integrated: their numbers go to their [slots](Slots), some samples
 //! at once. To store the numbers of each lane at each sample took as long as the integration.
 
-use super::motions::{DISPLACEMENT, MAGNITUDE_SO_FAR, MOST_FIELDS, Places};
+use super::motions::{DISPLACEMENT, MAGNITUDE_SO_FAR, MOST_FIELDS, Slots};
 use super::shared_motion::Direction;
 use crate::model::real::{Real, Vector};
 use crate::stepping::lanes::each;
@@ -19,12 +19,9 @@ pub(crate) const BEYOND: f64 = f32::MAX as f64;
 pub(crate) struct WrittenMotions<'a, 'b, R> {
     direction: Direction,
     forces: bool,
-    places: &'b mut [Places<'a, R>],
+    slots: &'b mut [Slots<'a, R>],
     /// The number of samples of each motion that are stored.
     stored: Vec<usize>,
-    /// The quantities of a row: those of samples, and those of gaps.
-    of_samples: &'static [usize],
-    of_gaps: &'static [usize],
     /// The rows that are not stored yet: each quantity in a block of its own, row by row and lane by lane.
     blocks: Vec<R>,
     /// The number of these rows, and which of them each lane has, one bit each.
@@ -38,39 +35,35 @@ impl<'a, 'b, R: Real> WrittenMotions<'a, 'b, R> {
     /// Motions at their first samples, which end no gap.
     #[inline(always)]
     pub(crate) fn begin<V: Vector<Element = R>>(
-        places: &'b mut [Places<'a, R>],
+        slots: &'b mut [Slots<'a, R>],
         (direction, forces): (Direction, bool),
         first: &Row<V>,
     ) -> WrittenMotions<'a, 'b, R> {
         let (of_samples, of_gaps) = (direction.of_samples(forces), direction.of_gaps(forces));
-        for (lane, places) in places.iter_mut().enumerate() {
+        for (lane, slots) in slots.iter_mut().enumerate() {
             for &field in of_samples {
-                places[field][0] = first[field].lane(lane);
+                slots[field][0] = first[field].lane(lane);
             }
         }
-        let stored = vec![1; places.len()];
+        let stored = vec![1; slots.len()];
         let fields = of_samples.len() + of_gaps.len();
         let blocks = vec![R::of(0.0); fields * ROWS * V::LANES];
-        let has = vec![0; places.len()];
-        WrittenMotions {
-            direction,
-            forces,
-            places,
-            stored,
-            of_samples,
-            of_gaps,
-            blocks,
-            rows: 0,
-            has,
-            lanes: V::LANES,
-        }
+        let has = vec![0; slots.len()];
+        WrittenMotions { direction, forces, slots, stored, blocks, rows: 0, has, lanes: V::LANES }
+    }
+
+    /// The quantities of a row: those of samples, and those of gaps.
+    #[inline(always)]
+    fn quantities(&self) -> [&'static [usize]; 2] {
+        [self.direction.of_samples(self.forces), self.direction.of_gaps(self.forces)]
     }
 
     /// Adds a row to the motions of some lanes, one bit each. No motion is given more rows than it has gaps.
     #[inline(always)]
     pub(crate) fn add<V: Vector<Element = R>>(&mut self, lanes: u64, row: &Row<V>) {
+        let [of_samples, of_gaps] = self.quantities();
         let blocks = self.blocks.chunks_exact_mut(ROWS * V::LANES);
-        for (block, &field) in blocks.zip(self.of_samples.iter().chain(self.of_gaps)) {
+        for (block, &field) in blocks.zip(of_samples.iter().chain(of_gaps)) {
             row[field].write(&mut block[self.rows * V::LANES..]);
         }
         for (lane, has) in self.has.iter_mut().enumerate() {
@@ -85,18 +78,18 @@ impl<'a, 'b, R: Real> WrittenMotions<'a, 'b, R> {
     /// Stores all rows.
     #[inline(never)]
     fn store(&mut self) {
-        let lanes = self.lanes;
+        let (lanes, [of_samples, of_gaps]) = (self.lanes, self.quantities());
         // Where there is no row, no lane has one.
         let all = u32::MAX >> (ROWS - self.rows.max(1));
-        for (lane, places) in self.places.iter_mut().enumerate() {
+        for (lane, slots) in self.slots.iter_mut().enumerate() {
             let has = std::mem::take(&mut self.has[lane]);
             let (added, stored) = (has.count_ones() as usize, self.stored[lane]);
-            let of_samples = self.of_samples.iter().map(|field| (*field, stored));
+            let of_samples = of_samples.iter().map(|field| (*field, stored));
             // A gap has the number of the sample at its begin.
-            let of_gaps = self.of_gaps.iter().map(|field| (*field, stored - 1));
+            let of_gaps = of_gaps.iter().map(|field| (*field, stored - 1));
             let blocks = self.blocks.chunks_exact(ROWS * lanes);
             for (block, (field, from)) in blocks.zip(of_samples.chain(of_gaps)) {
-                let to = &mut places[field][from..from + added];
+                let to = &mut slots[field][from..from + added];
                 if has == all {
                     for (to, row) in to.iter_mut().zip(block.chunks_exact(lanes)) {
                         *to = row[lane];
@@ -118,26 +111,27 @@ impl<'a, 'b, R: Real> WrittenMotions<'a, 'b, R> {
     pub(crate) fn end(mut self, missed: impl Fn(usize, R) -> bool) {
         self.store();
         let (direction, beyond) = (self.direction, R::of(BEYOND));
-        for (lane, places) in self.places.iter_mut().enumerate() {
-            let (stored, samples) = (self.stored[lane], places[DISPLACEMENT].len());
+        let [of_samples, _] = self.quantities();
+        for (lane, slots) in self.slots.iter_mut().enumerate() {
+            let (stored, samples) = (self.stored[lane], slots[DISPLACEMENT].len());
             let gaps = samples - 1;
-            for &field in self.of_samples {
-                let last = places[field][stored - 1];
-                places[field][stored..].fill(last);
+            for &field in of_samples {
+                let last = slots[field][stored - 1];
+                slots[field][stored..].fill(last);
             }
             let magnitude = match direction {
                 Direction::Horizontal if self.forces && stored > 1 => {
-                    places[MAGNITUDE_SO_FAR][stored - 2]
+                    slots[MAGNITUDE_SO_FAR][stored - 2]
                 }
                 _ => R::of(0.0),
             };
             if stored < samples || missed(lane, magnitude) {
                 let [lower, upper] = direction.no_bounds();
                 for &field in lower {
-                    places[field][..gaps].fill(-beyond);
+                    slots[field][..gaps].fill(-beyond);
                 }
                 for &field in upper {
-                    places[field][..gaps].fill(beyond);
+                    slots[field][..gaps].fill(beyond);
                 }
             }
         }
@@ -160,9 +154,9 @@ mod tests {
     fn written(samples: usize, rows: usize, missed: bool) -> Vec<Vec<f32>> {
         let direction = Direction::Horizontal;
         let mut motion = vec![vec![0.0_f32; samples]; direction.fields(true)];
-        let mut places = vec![motion.iter_mut().map(|field| &mut field[..]).collect()];
+        let mut slots = vec![motion.iter_mut().map(|field| &mut field[..]).collect()];
         let row = |row| -> Row<f32> { std::array::from_fn(|field| number(field, row)) };
-        let mut written = WrittenMotions::begin(&mut places, (direction, true), &row(0));
+        let mut written = WrittenMotions::begin(&mut slots, (direction, true), &row(0));
         for number in 1..=rows {
             written.add(1, &row(number));
         }
@@ -176,7 +170,7 @@ mod tests {
 
     /// Sample k has the numbers of row k, and gap k those of row k + 1.
     #[test]
-    fn each_number_goes_to_its_place() {
+    fn each_number_goes_to_its_slot() {
         for rows in [0, 1, ROWS - 1, ROWS, ROWS + 1, 3 * ROWS] {
             let motion = written(rows + 1, rows, false);
             for (field, numbers) in motion.iter().enumerate() {

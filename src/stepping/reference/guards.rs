@@ -67,15 +67,21 @@ fn guards(trial: &Trial) -> [Option<Guard>; 6] {
 /// samples along the cubic of the step and by the crests between them, and located on the step itself.
 pub fn first_guard(trial: &Trial, cubic: &Cubic) -> Option<(Guard, f64)> {
     let states = SAMPLED.map(|x| cubic.at(x));
-    let mut candidates = Vec::new();
+    let mut brackets = Vec::new();
     for guard in guards(trial).into_iter().flatten() {
         let at = |i: usize| value(trial, guard, SAMPLED[i] * cubic.h, &states[i]);
         let values: [f64; SAMPLES] = std::array::from_fn(at);
-        if let Some((low, high)) = bracket(trial, guard, &values, cubic.h) {
-            let time = root(trial, guard, 0.0, cubic, (low, high));
-            candidates.push((time, guard, (low * cubic.h, high * cubic.h)));
+        if let Some(between) = bracket(trial, guard, &values, cubic.h) {
+            brackets.push((guard, between));
         }
     }
+    let one = brackets.len() == 1;
+    let candidate = |(guard, between): (Guard, (f64, f64))| {
+        // One guard by itself needs no order.
+        let time = if one { 0.0 } else { root(trial, guard, 0.0, cubic, between) };
+        (time, guard, (between.0 * cubic.h, between.1 * cubic.h))
+    };
+    let mut candidates: Vec<_> = brackets.into_iter().map(candidate).collect();
     candidates.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut first: Option<(Guard, f64)> = None;
     for (_, guard, (low, high)) in candidates {
@@ -121,6 +127,10 @@ fn bracket(trial: &Trial, guard: Guard, values: &[f64; SAMPLES], h: f64) -> Opti
     sampled
 }
 
+/// The length of a bracket, s, at which the bisection of a cubic ends: a root of it is an estimate, and is moved by
+/// more than that.
+const ROOT_TIME: f64 = EVENT_TIME / 16.0;
+
 /// The place at which a guard changes sign on a cubic that begins at the time `after` from the start of the step, by
 /// bisection; `(low, high)` are fractions of the cubic.
 fn root(
@@ -130,7 +140,7 @@ fn root(
     cubic: &Cubic,
     (mut low, mut high): (f64, f64),
 ) -> f64 {
-    for _ in 0..50 {
+    while (high - low) * cubic.h > ROOT_TIME {
         let mid = 0.5 * (low + high);
         if value(trial, guard, after + mid * cubic.h, &cubic.at(mid)) > 0.0 {
             high = mid;

@@ -6,6 +6,7 @@
 //! extremes of motion and contact forces between the ends of steps too ([`extremes`]).
 
 pub(crate) mod cubic;
+mod decided;
 mod device;
 pub(crate) mod extremes;
 pub mod forces;
@@ -41,6 +42,8 @@ pub struct Settings {
     pub longest_free: f64,
     /// |dphi| below which a landing block comes to rest, rad/s.
     pub rest_speed: f64,
+    /// A cell ends once its outcome, its time of first uplift and zeta are final; the other columns are those so far.
+    pub ends_decided: bool,
     /// Steps after which a cell is given up.
     pub most_steps: u64,
 }
@@ -52,6 +55,7 @@ impl Default for Settings {
             longest: 0.01,
             longest_free: 0.01,
             rest_speed: 1.0e-5,
+            ends_decided: false,
             most_steps: 20_000_000,
         }
     }
@@ -234,6 +238,12 @@ impl<'a> Cell<'a> {
                 _ => {}
             }
             (self.observer)(&Instant { t, phase: self.phase, y: &y, switch });
+            if self.settings.ends_decided && drive == Drive::Free && self.class.is_none() {
+                let zeta = self.system.zeta(self.extremes.phi);
+                if self.system.is_decided(self.phase, &y, zeta) {
+                    break;
+                }
+            }
         }
         y
     }
@@ -272,8 +282,7 @@ impl<'a> Cell<'a> {
         let rest = if stood { Class::FullContact } else { Class::Rocking };
         let class = self.class.unwrap_or(rest);
         let Extremes { phi: [left, right], u, v, stroke, normal, friction, .. } = self.extremes;
-        let mut zeta = (left / self.system.critical_angle(Pole::Left))
-            .max(right / self.system.critical_angle(Pole::Right));
+        let mut zeta = self.system.zeta([left, right]);
         if class.overturned() {
             zeta = 1.0;
         }
