@@ -6,9 +6,8 @@ use super::log::Listener;
 use super::rk4::rk4;
 use super::state::is_finite;
 use super::turn::select_motion;
-use crate::model::CellEquations;
 use crate::model::dynamics::{Contact, rates};
-use crate::model::isolation::{Variant, support};
+use crate::model::isolation::support;
 use crate::model::motion::Motion;
 use crate::model::real::Vector;
 
@@ -26,22 +25,6 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
     #[inline(always)]
     fn stand_lanes(&mut self) -> u64 {
         let variant = self.shared.variant;
-        let alone = variant.isolated_v && !variant.isolated_h && !variant.devices;
-        if alone {
-            // Compiled for v alone, a step takes less time.
-            return self.stand_as(Variant {
-                isolated_h: false,
-                isolated_v: true,
-                yields: false,
-                devices: false,
-                ..variant
-            });
-        }
-        self.stand_as(variant)
-    }
-
-    #[inline(always)]
-    fn stand_as(&mut self, variant: Variant) -> u64 {
         let (zero, one, half) = (self.start.like(0.0), self.start.like(1.0), self.start.like(0.5));
         let standing = zero.mask(0);
         let moved = zero.mask(self.running);
@@ -49,7 +32,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let ground_mid = self.ground(half);
         let ground_end = self.ground(one);
         let h = self.forcing.step;
-        let set = CellEquations { variant, ..self.equations() };
+        let set = self.equations();
         let k1 = rates(&set, &self.corner, standing, &self.y, ground);
         let grounds = [ground_mid, ground_end];
         let mut stepped = rk4(&set, &self.corner, standing, &self.y, &k1, h, grounds);
