@@ -123,8 +123,9 @@ fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Bl
                 ended: Vec::with_capacity(AT_ONCE),
             };
             let zero = R::of(0.0);
-            if plan.takes_long_steps() {
-                vectorized!(level, zero => Phases::new(shared, zero).run(&mut feed));
+            if recorded {
+                let long = plan.takes_long_steps();
+                vectorized!(level, zero => Phases::new(shared, long, zero).run(&mut feed));
             } else {
                 vectorized!(level, zero => Lanes::new(shared, zero, ()).run(&mut feed));
             }

@@ -1,12 +1,13 @@
-//! Two sets of lanes under a record: one for blocks that stand, which take [long steps](super::long_step), and one for
-//! all others. Where a cell changes its set depends on this cell alone.
+//! Two sets of lanes under a record: one for blocks that stand, and one for all others. Blocks that stand take [long
+//! steps](super::long_step) where the plan allows them; otherwise they go turn by turn, and a turn in which no block
+//! rocks costs less than one in which some block does. Where a cell takes long steps depends on this cell alone.
 
 use super::lanes::{Feed, Job, Lanes, Shared, TURNS, each};
 use super::long_step::LongSteps;
 use crate::model::real::{Real, Vector};
 
-/// The number of turns for which a block has stood before it takes long steps: a block that lifts again at
-/// once would change its set too often.
+/// The number of turns for which a block has stood before it changes its set: a block that lifts again at once would do
+/// so too often.
 const STOOD: f64 = 8.0;
 
 /// The source of cells under a record.
@@ -82,17 +83,19 @@ pub struct Phases<'a, V: Vector> {
     turning: Set<'a, V>,
     /// The number of turns for which the block of each of these lanes has stood.
     stood: V,
-    /// Cells that take long steps.
+    /// Cells whose block stands.
     standing: Set<'a, V>,
+    /// True where these take long steps.
+    takes_long_steps: bool,
     long: LongSteps<V>,
 }
 
 impl<'a, V: Vector> Phases<'a, V> {
     /// Lanes without cells; `zero` selects the kind of vector.
     #[inline(always)]
-    pub fn new(shared: Shared<'a, V::Element>, zero: V) -> Phases<'a, V> {
+    pub fn new(shared: Shared<'a, V::Element>, takes_long_steps: bool, zero: V) -> Phases<'a, V> {
         let [turning, standing] = [Set::new(shared, zero), Set::new(shared, zero)];
-        Phases { turning, stood: zero, standing, long: LongSteps::none(zero) }
+        Phases { turning, stood: zero, standing, takes_long_steps, long: LongSteps::none(zero) }
     }
 
     /// Runs all cells of a feed. They begin turn by turn: many of them lift soon.
@@ -118,17 +121,19 @@ impl<'a, V: Vector> Phases<'a, V> {
             // Standing blocks wait until all lanes have one. Without more cells the set with the most cells is next, so
             // that few lanes are idle.
             let fuller = self.standing.count() >= self.turning.count();
-            if self.standing.is_full() || (!more && fuller) {
-                self.stand(feed);
-            } else {
+            if !(self.standing.is_full() || (!more && fuller)) {
                 self.turn(feed);
+            } else if self.takes_long_steps {
+                self.stand_long(feed);
+            } else {
+                self.stand(feed);
             }
         }
     }
 
     #[inline(always)]
     fn fill(&mut self, feed: &impl RecordFeed<V::Element>) {
-        let Phases { turning, stood, standing, long } = self;
+        let Phases { turning, stood, standing, takes_long_steps, long } = self;
         turning.fill(
             #[inline(always)]
             |lane, _, _| stood.put(lane, V::Element::of(0.0)),
@@ -136,15 +141,29 @@ impl<'a, V: Vector> Phases<'a, V> {
         standing.fill(
             #[inline(always)]
             |lane, number, known| {
-                long.put(lane, known.get_or_insert_with(|| feed.long_steps(number)));
+                if *takes_long_steps {
+                    long.put(lane, known.get_or_insert_with(|| feed.long_steps(number)));
+                }
             },
         );
+    }
+
+    /// A turn of all lanes whose block stands. Cells whose block has lifted leave at the end of the step.
+    #[inline(always)]
+    fn stand(&mut self, feed: &mut impl Feed<V::Element>) {
+        let Phases { turning, standing, stood, .. } = self;
+        let ended = standing.lanes.advance();
+        standing.end(ended, feed);
+        let lanes = &standing.lanes;
+        let at_step = stood.like(0.0).ge(lanes.events) & lanes.between_steps();
+        let leaves = V::bits(lanes.rocking & at_step) & lanes.forcing.forced & lanes.running();
+        standing.part(leaves, &mut turning.waiting);
     }
 
     /// A long step of all lanes whose block stands. Cells that did not move, and those at the end of the record, go on
     /// turn by turn.
     #[inline(always)]
-    fn stand(&mut self, feed: &mut impl Feed<V::Element>) {
+    fn stand_long(&mut self, feed: &mut impl Feed<V::Element>) {
         let Phases { turning, standing, long, .. } = self;
         let [moved, ended] = standing.lanes.stand_long(long);
         standing.end(ended, feed);
@@ -152,19 +171,22 @@ impl<'a, V: Vector> Phases<'a, V> {
         standing.part(standing.lanes.running() & !stay, &mut turning.waiting);
     }
 
-    /// A turn of all other lanes. Cells whose block has lifted before, and has stood for long at the start of a gap, take
-    /// long steps from then on. Before the first uplift shared motions have the steps of the cells, and so has a cell
-    /// that shares none.
+    /// A turn of all other lanes. Cells whose block has stood for long at the start of a gap leave. Those that then take
+    /// long steps must have rocked before: until then shared motions have the steps of the cells, and so has a cell that
+    /// shares none.
     #[inline(always)]
     fn turn(&mut self, feed: &mut impl Feed<V::Element>) {
-        let Phases { turning, stood, standing, .. } = self;
+        let Phases { turning, stood, standing, takes_long_steps, .. } = self;
         let ended = turning.lanes.advance();
         turning.end(ended, feed);
         let lanes = &turning.lanes;
         let (zero, one) = (stood.like(0.0), stood.like(1.0));
         *stood = V::select(lanes.rocking, zero, *stood + one);
         let at_gap = zero.ge(lanes.forcing.done) & zero.ge(lanes.events) & lanes.between_steps();
-        let ready = lanes.lifted & !lanes.rocking & stood.ge(one.like(STOOD)) & at_gap;
+        let mut ready = !lanes.rocking & stood.ge(one.like(STOOD)) & at_gap;
+        if *takes_long_steps {
+            ready = ready & lanes.impacts.gt(zero);
+        }
         let ready = V::bits(ready) & lanes.forcing.forced & lanes.running();
         turning.part(ready, &mut standing.waiting);
     }
