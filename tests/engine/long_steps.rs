@@ -52,8 +52,12 @@ fn bases() -> Vec<(&'static str, Scene)> {
         scene.set(Parameter::Scale, scale);
         scene
     };
+    // So weak a record does not lift a block again that was released at an angle.
+    let mut tilted = weaker(0.1, dual, h, v);
+    tilted.set(Parameter::Tilt, 0.01);
     vec![
         ("dual", periods(dual, h, v)),
+        ("tilted", tilted),
         ("linear", weaker(0.5, &linear, h, v)),
         ("n = 5", periods(&steep, h, v)),
         ("overdamped", periods(&creeping, h, v)),
