@@ -74,7 +74,7 @@ impl Line<'_> {
     }
 }
 
-const COLOURS: [Colour; 11] = [
+const COLOURS: [Colour; 13] = [
     [0x8c, 0xb8, 0xe8],
     [0x2c, 0x5f, 0xb8],
     [0xe3, 0x7c, 0x1e],
@@ -84,7 +84,9 @@ const COLOURS: [Colour; 11] = [
     [0xb0, 0x3a, 0x8c],
     [0x8c, 0x5a, 0x3c],
     [0xc8, 0x1e, 0x2a],
-    [0x00, 0x9e, 0x9e],
+    [0x4c, 0xc4, 0xc4],
+    [0x00, 0x7a, 0x7a],
+    [0xb3, 0xa2, 0xd6],
     [0x6a, 0x51, 0xa3],
 ];
 
@@ -97,8 +99,10 @@ fn colour(row: &Row, others: &mut usize) -> Colour {
         ("shader", "f32") => 3,
         ("shader", _) => 4,
         ("reference", _) => 5,
-        ("cpu with shortcuts", _) => 9,
-        ("cpu outcome only", _) => 10,
+        ("cpu with shortcuts", "f32") => 9,
+        ("cpu with shortcuts", _) => 10,
+        ("cpu outcome only", "f32") => 11,
+        ("cpu outcome only", _) => 12,
         _ => {
             *others += 1;
             6 + (*others - 1) % 3

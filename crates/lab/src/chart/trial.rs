@@ -266,8 +266,9 @@ pub fn of(bench: &Bench, gpu: Option<&Gpu>) -> Vec<Trial> {
     }
     // On many cells: of few the vectors are half empty at the end.
     if !bench.whole {
-        methods.push((Method::Shortcuts, Precision::F32));
-        methods.push((Method::OutcomeOnly, Precision::F32));
+        for method in [Method::Shortcuts, Method::OutcomeOnly] {
+            methods.extend([Precision::F32, Precision::F64].map(|precision| (method, precision)));
+        }
     }
     let mut trials = Vec::new();
     for (method, precision) in methods {
