@@ -19,7 +19,7 @@ pub fn agreement(v: &Verification, within: Duration) -> String {
     let zeta = v.worst_zeta.map(|worst| format!(", zeta within {}", rounded(worst)));
     let zeta = zeta.unwrap_or_default();
     format!(
-        "{} again{left_out}, {} beside a boundary: {unresolved}{} differ in outcome, {} in impacts; \
+        "{} again{left_out}, {} beside a boundary: {unresolved}{} differ in outcome, {} overturned cells in impacts; \
          t_end within {} s{zeta}",
         cells(v.sampled),
         v.beside_boundary,

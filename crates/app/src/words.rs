@@ -260,7 +260,8 @@ pub fn head(say: &Reporter, plan: &Plan, grid: &Grid, backends: &[Backend], prec
     scene(say, &plan.scene, grid);
     let several = if backends.len() > 1 { format!("{} x ", backends.len()) } else { String::new() };
     say.line("backend", format!("{several}{}", backend(&backends[0], precision.key())));
-    say.line("model", model(plan));
+    let by_reference = matches!(backends[0], Backend::Reference);
+    say.line("model", if by_reference { model(&plan.full_model()) } else { model(plan) });
 }
 
 /// The backend, in a few words.
