@@ -4,10 +4,13 @@
 
 #![allow(missing_docs, clippy::unwrap_used)] // a bench
 
+#[path = "common/timing.rs"]
+mod timing;
+
 use std::hint::black_box;
 use std::io::Cursor;
 
-use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use timing::time;
 use topple::backend::cell_run::CellRun;
 use topple::backend::{cpu, lanes};
 use topple::cells::clock::DEFAULT_STEP;
@@ -35,7 +38,7 @@ fn scene(omega: &str, a_h: &str) -> Scene {
 }
 
 /// Steps of a cell that rocks on, one by one as a vector of one lane, and the certificate.
-fn kernels<R: Real>(c: &mut Criterion, name: &str) {
+fn kernels<R: Real>(name: &str) {
     // The cell of a small map that stands after the most impacts.
     let scene = scene("0.2:15:24", "0.1:15:24");
     let grid = Grid::of(&scene);
@@ -55,73 +58,56 @@ fn kernels<R: Real>(c: &mut Criterion, name: &str) {
     }
     let rocking = later.state();
     for (kind, begun) in [("full contact", state), ("rocking, switches in it", rocking)] {
-        c.bench_function(&format!("64 steps, {kind}, {name}"), |b| {
-            b.iter_batched_ref(
-                || begun,
-                |begun| {
-                    let mut nobody = ();
-                    let mut single = Single::new(&set, begun, &mut nobody);
-                    for _ in 0..64 {
-                        black_box(single.step());
-                    }
-                },
-                BatchSize::SmallInput,
-            );
+        time(&format!("64 steps, {kind}, {name}"), || {
+            let mut nobody = ();
+            let mut single = Single::new(&set, &begun, &mut nobody);
+            for _ in 0..64 {
+                black_box(single.step());
+            }
         });
     }
     let corner = pivot(&model, rocking.mode);
     let extremes = rocking.extremes();
-    c.bench_function(&format!("certificate, {name}"), |b| {
-        b.iter(|| is_final(&set, &corner, true, true, true, black_box(&rocking.motion), &extremes));
+    time(&format!("certificate, {name}"), || {
+        is_final(&set, &corner, true, true, true, black_box(&rocking.motion), &extremes)
     });
 }
 
-fn in_f32(c: &mut Criterion) {
-    kernels::<f32>(c, "f32");
-}
-
-fn in_f64(c: &mut Criterion) {
-    kernels::<f64>(c, "f64");
-}
-
-fn writers(c: &mut Criterion) {
+fn writers() {
     let scene = scene("0.2:15:128", "0.1:15:128");
     let grid = Grid::of(&scene);
     let cells: Vec<usize> = (0..grid.len()).collect();
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
     let outcomes = cpu::sweep(Precision::F32, &plan, &grid, &cells, &Unwatched);
-    c.bench_function("writer, csv, 128 x 128", |b| {
-        b.iter(|| {
-            results::csv::write(&grid, &outcomes, ColumnSet::ALL, Vec::with_capacity(1 << 22))
-                .unwrap()
-        });
+    time("writer, csv, 128 x 128", || {
+        results::csv::write(&grid, &outcomes, ColumnSet::ALL, Vec::with_capacity(1 << 22)).unwrap()
     });
     let source = Source { scene: &scene, precision: Precision::F32, columns: ColumnSet::ALL };
-    c.bench_function("writer, npz, 128 x 128", |b| {
-        b.iter(|| {
-            let into = Cursor::new(Vec::with_capacity(1 << 22));
-            results::npz::write(&grid, &outcomes, source, into).unwrap()
-        });
+    time("writer, npz, 128 x 128", || {
+        let into = Cursor::new(Vec::with_capacity(1 << 22));
+        results::npz::write(&grid, &outcomes, source, into).unwrap()
     });
 }
 
 /// A small map with all of its 30 s, a cell at a time and by lanes of every level.
-fn sweeps(c: &mut Criterion) {
+fn sweeps() {
     let scene = scene("0.2:15:24", "0.1:15:24");
     let grid = Grid::of(&scene);
     let cells: Vec<usize> = (0..grid.len()).collect();
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().full_model();
-    c.bench_function("sweep, a cell at a time, f64, 24 x 24", |b| {
-        b.iter(|| cpu::sweep_one_by_one(Precision::F64, &plan, &grid, &cells, &Unwatched));
+    time("sweep, a cell at a time, f64, 24 x 24", || {
+        cpu::sweep_one_by_one(Precision::F64, &plan, &grid, &cells, &Unwatched)
     });
     for (name, level) in lanes::levels() {
-        c.bench_function(&format!("sweep, lanes f32, {name}, 24 x 24"), |b| {
-            b.iter(|| {
-                lanes::sweep(&CellRun::of(&plan, &grid, &cells, Precision::F32), &Unwatched, level)
-            });
+        time(&format!("sweep, lanes f32, {name}, 24 x 24"), || {
+            lanes::sweep(&CellRun::of(&plan, &grid, &cells, Precision::F32), &Unwatched, level)
         });
     }
 }
 
-criterion_group!(benches, in_f32, in_f64, sweeps, writers);
-criterion_main!(benches);
+fn main() {
+    kernels::<f32>("f32");
+    kernels::<f64>("f64");
+    sweeps();
+    writers();
+}

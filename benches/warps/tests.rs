@@ -114,10 +114,10 @@ mod vectors {
         let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &[] };
         let mut queue =
             Queue { all: &all, next: 0..grid.len(), now: &now, had: vec![0; grid.len()] };
-        Lanes::new(shared, 0.0_f32.few_lanes(simd), Turns(&now)).run(&mut queue);
+        Lanes::new(shared, 0.0_f32.lanes(simd), Turns(&now)).run(&mut queue);
         let mut traces = Traces::default();
         queue.had.iter().for_each(|turns| traces.add(&cell(*turns, Purpose::Step)));
-        assert_eq!(now.get(), traces::turns(&traces, 0..grid.len(), 4));
+        assert_eq!(now.get(), traces::turns(&traces, 0..grid.len(), 16));
         let alone = record::<f32>(&plan, &grid);
         // Products are fused in one of them only.
         let (vector, alone) = (traces.all().len() as f64, alone.all().len() as f64);

@@ -147,9 +147,10 @@ pub fn levels() -> Vec<(&'static str, Level)> {
     let best = Level::new();
     #[cfg(target_arch = "x86_64")]
     let levels = [
-        ("SSE2", best.as_sse2().map(Level::Sse2)),
+        ("one lane", best.as_avx2().is_none().then_some(best)),
         ("AVX2", best.as_avx2().map(Level::Avx2)),
-        ("AVX-512", best.as_avx512().map(Level::Avx512)),
+        // A build with debug assertions has none: `vectorized`.
+        ("AVX-512", best.as_avx512().map(Level::Avx512).filter(|_| !cfg!(debug_assertions))),
     ];
     #[cfg(target_arch = "aarch64")]
     let levels = [("NEON", best.as_neon().map(Level::Neon))];

@@ -3,7 +3,7 @@
 
 use std::fmt::Debug;
 
-use fearless_simd::{Simd, SimdBase, f32x4, f32x16, f64x2, f64x8};
+use fearless_simd::{Simd, SimdBase, f32x16, f64x8};
 
 use super::number::Number;
 use super::polynomials::{
@@ -40,14 +40,9 @@ pub trait Real:
 
     /// A vector of as many of these numbers as the CPU path computes at once: 512 bits, in one register or several.
     type Lanes<S: Simd>: Vector<Element = Self>;
-    /// A vector of 128 bits, for machines that have few registers and no wider ones.
-    type FewLanes<S: Simd>: Vector<Element = Self>;
 
     /// The same number in all lanes.
     fn lanes<S: Simd>(self, simd: S) -> Self::Lanes<S>;
-
-    /// The same number in all of few lanes.
-    fn few_lanes<S: Simd>(self, simd: S) -> Self::FewLanes<S>;
 }
 
 /// A number of several cells.
@@ -88,7 +83,7 @@ mod sealed {
 }
 
 macro_rules! scalar {
-    ($type:ty, $precision:ident, $vector:ident, $few:ident, event: $event:expr, kink: $kink:expr, sine: $sine:expr, cosine: $cosine:expr, exponential: $exponential:expr) => {
+    ($type:ty, $precision:ident, $vector:ident, event: $event:expr, kink: $kink:expr, sine: $sine:expr, cosine: $cosine:expr, exponential: $exponential:expr) => {
         impl Real for $type {
             const PRECISION: Precision = Precision::$precision;
             const EVENT_TOLERANCE: $type = $event;
@@ -110,13 +105,6 @@ macro_rules! scalar {
             #[inline(always)]
             fn lanes<S: Simd>(self, simd: S) -> $vector<S> {
                 $vector::splat(simd, self)
-            }
-
-            type FewLanes<S: Simd> = $few<S>;
-
-            #[inline(always)]
-            fn few_lanes<S: Simd>(self, simd: S) -> $few<S> {
-                $few::splat(simd, self)
             }
         }
 
@@ -175,8 +163,8 @@ macro_rules! scalar {
     };
 }
 
-scalar!(f32, F32, f32x16, f32x4, event: 1.0e-6, kink: 1.0e-3, sine: SINE_F32, cosine: COSINE_F32, exponential: EXPONENTIAL_F32);
-scalar!(f64, F64, f64x8, f64x2, event: 1.0e-10, kink: 1.0e-5, sine: SINE_F64, cosine: COSINE_F64, exponential: EXPONENTIAL_F64);
+scalar!(f32, F32, f32x16, event: 1.0e-6, kink: 1.0e-3, sine: SINE_F32, cosine: COSINE_F32, exponential: EXPONENTIAL_F32);
+scalar!(f64, F64, f64x8, event: 1.0e-10, kink: 1.0e-5, sine: SINE_F64, cosine: COSINE_F64, exponential: EXPONENTIAL_F64);
 
 /// A number as a vector of one lane: the same code steps a single cell.
 macro_rules! single {

@@ -1,9 +1,7 @@
 //! Vectors of numbers, one cell in each lane. The instructions are chosen at run time by
 //! [`fearless_simd::Level`].
 
-use fearless_simd::{
-    ExtractToken, Select, Simd, SimdBase, SimdFloat, SimdMask, f32x4, f32x16, f64x2, f64x8,
-};
+use fearless_simd::{ExtractToken, Select, Simd, SimdBase, SimdFloat, SimdMask, f32x16, f64x8};
 
 use super::number::Number;
 use super::polynomials::{
@@ -112,7 +110,5 @@ macro_rules! vector {
     };
 }
 
-vector!(f32x4, f32, 4, SINE_F32, COSINE_F32, EXPONENTIAL_F32);
-vector!(f64x2, f64, 2, SINE_F64, COSINE_F64, EXPONENTIAL_F64);
 vector!(f32x16, f32, 16, SINE_F32, COSINE_F32, EXPONENTIAL_F32);
 vector!(f64x8, f64, 8, SINE_F64, COSINE_F64, EXPONENTIAL_F64);

@@ -2,10 +2,9 @@
 
 use std::fmt::Debug;
 
-use bytemuck::NoUninit;
-use npyz::AutoSerialize;
 use serde::Serialize;
 
+use super::npy::ArrayValue;
 use crate::model::real::Real;
 
 /// The values of a column, as the library hands them out.
@@ -22,9 +21,7 @@ pub enum ColumnValues {
 }
 
 /// A number type of columns.
-pub trait Element:
-    Copy + Debug + Default + PartialEq + Send + Sync + AutoSerialize + NoUninit + Serialize
-{
+pub trait Element: Copy + Debug + Default + PartialEq + Sync + ArrayValue + Serialize {
     /// Its name in a Zarr document.
     const TYPE: &'static str;
 

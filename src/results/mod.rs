@@ -23,6 +23,7 @@ pub mod group;
 pub mod identity;
 pub mod listed;
 pub mod lock;
+mod npy;
 pub mod npz;
 pub mod outcomes;
 pub mod own;

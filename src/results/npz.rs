@@ -5,8 +5,6 @@ use std::fs::File;
 use std::io::{self, BufReader, Seek, Write};
 use std::path::Path;
 
-use bytemuck::NoUninit;
-use npyz::{AutoSerialize, DType, Endianness, NpyHeader, WriterBuilder};
 use rayon::prelude::*;
 use serde_json::Value;
 use zip::write::SimpleFileOptions;
@@ -18,6 +16,7 @@ use super::column_set::ColumnSet;
 use super::columns::{Column, ColumnType, with_column};
 use super::element::ColumnNumber;
 use super::listed::{CELL, ListedCells};
+use super::npy::{self, ArrayValue};
 use super::outcomes::{Outcomes, each_block_of};
 use super::zarr::PROVED;
 use crate::model::precision::Precision;
@@ -86,31 +85,8 @@ pub fn about(path: &Path) -> io::Result<String> {
     zips::check(&file)?;
     let mut archive = ZipArchive::new(BufReader::new(file))?;
     let bytes = bounded::all(archive.by_name(&format!("{ABOUT}.npy"))?, bounded::DOCUMENT)?;
-    // The reader of headers takes room for what they declare, and follows brackets as deep as they go.
-    let declared = match bytes.get(..12) {
-        Some([_, _, _, _, _, _, 1, _, low, high, ..]) => u16::from_le_bytes([*low, *high]).into(),
-        Some([_, _, _, _, _, _, _, _, a, b, c, d]) => u32::from_le_bytes([*a, *b, *c, *d]),
-        _ => u32::MAX,
-    };
-    if declared > LARGEST_HEADER {
-        return Err(io::Error::other("its `about` has no header"));
-    }
-    let mut array = bytes.as_slice();
-    let header = NpyHeader::from_reader(&mut array)?;
-    let big = match header.dtype() {
-        DType::Plain(text) => text.endianness() == Endianness::Big,
-        _ => return Err(io::Error::other("its `about` is no text")),
-    };
-    let (letters, _) = array.as_chunks::<4>();
-    let letter = |letter: &[u8; 4]| {
-        let code = if big { u32::from_be_bytes(*letter) } else { u32::from_le_bytes(*letter) };
-        char::from_u32(code).unwrap_or(char::REPLACEMENT_CHARACTER)
-    };
-    Ok(letters.iter().map(letter).collect())
+    npy::text(&bytes).map_err(|error| io::Error::other(format!("its `{ABOUT}` is {error}")))
 }
-
-/// Most bytes of the header of an array without an index: numpy writes 118.
-const LARGEST_HEADER: u32 = 512;
 
 /// An archive while it is written.
 struct Archive<'a, W: Write + Seek> {
@@ -136,9 +112,14 @@ impl<W: Write + Seek> Archive<'_, W> {
         }
     }
 
-    /// Begins an array of a type and a shape, the last index fastest: its values are to follow, so many
-    /// bytes.
-    fn begin(&mut self, name: &str, dtype: DType, shape: &[u64], bytes: u64) -> io::Result<()> {
+    /// Begins an array of a kind of value ([`npy::header()`]) and a shape: its values are to follow, so many bytes.
+    fn begin(
+        &mut self,
+        name: &str,
+        (kind, size): (char, usize),
+        shape: &[u64],
+        bytes: u64,
+    ) -> io::Result<()> {
         // Beyond 4 GiB with its head the archive needs longer numbers.
         let large = bytes >= u64::from(u32::MAX) - (1 << 10);
         let options = SimpleFileOptions::default()
@@ -146,29 +127,20 @@ impl<W: Write + Seek> Archive<'_, W> {
             .compression_level(Some(LEVEL))
             .large_file(large);
         self.zip.start_file(format!("{name}.npy"), options)?;
-        npyz::WriteOptions::new_header_only()
-            .dtype(dtype)
-            .shape(shape)
-            .writer(&mut self.zip)
-            .write_header_only()?;
-        Ok(())
+        self.zip.write_all(&npy::header(kind, size, shape))
     }
 
     /// Begins an array of numbers as they lie in memory.
-    fn begin_numbers<T: AutoSerialize>(&mut self, name: &str, shape: &[u64]) -> io::Result<()> {
+    fn begin_numbers<T: ArrayValue>(&mut self, name: &str, shape: &[u64]) -> io::Result<()> {
         let bytes = shape.iter().product::<u64>() * size_of::<T>() as u64;
-        self.begin(name, T::default_dtype(), shape, bytes)
+        self.begin(name, (T::KIND, size_of::<T>()), shape, bytes)
     }
 
     /// Adds a text as an array of no index.
     fn text(&mut self, name: &str, text: &str) -> io::Result<()> {
         let letters: Vec<u32> = text.chars().map(u32::from).collect();
-        // In the order of this machine, as the numbers are.
-        let order = if cfg!(target_endian = "little") { '<' } else { '>' };
-        let dtype = format!("{order}U{}", letters.len()).parse();
-        let dtype = DType::Plain(dtype.map_err(|error| io::Error::other(format!("{error}")))?);
         let bytes: &[u8] = bytemuck::cast_slice(&letters);
-        self.begin(name, dtype, &[], bytes.len() as u64)?;
+        self.begin(name, ('U', letters.len()), &[], bytes.len() as u64)?;
         self.zip.write_all(bytes)
     }
 
@@ -190,7 +162,7 @@ impl<W: Write + Seek> Archive<'_, W> {
     }
 
     /// Adds a column as an array, its values made on all cores.
-    fn column<T: AutoSerialize + NoUninit + Send>(
+    fn column<T: ArrayValue>(
         &mut self,
         name: &str,
         column: Column,

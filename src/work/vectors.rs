@@ -8,31 +8,31 @@ use crate::model::real::{Real, Vector};
 /// name of the number is that of a number of one lane; where a machine has no vectors it stays that.
 ///
 /// Vectors have 512 bits, in two or four registers where one is shorter: while one waits for its result another is
-/// computed. With SSE2 they have 128: its sixteen registers would hold four numbers of 512 bits, and most of a turn
-/// would be loads and stores.
+/// computed. Each level compiles the statement once more, so processors of x86 without AVX2 (made before 2013) have
+/// one lane, and a build with debug assertions has no AVX-512.
 macro_rules! vectorized {
     ($level:expr, $number:ident => $run:expr) => {{
         let level: fearless_simd::Level = $level;
-        // SSE4.2 is left out: it has little beyond SSE2, and each level compiles the turn once more.
-        #[cfg(all(target_arch = "x86_64", target_feature = "sse2", not(test)))]
+        #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
         if let Some(simd) = level.as_avx512() {
-            $crate::work::vectors::vectorized!(@run simd.lanes, $number => $run);
+            $crate::work::vectors::vectorized!(@run simd, $number => $run);
         } else if let Some(simd) = level.as_avx2() {
-            $crate::work::vectors::vectorized!(@run simd.lanes, $number => $run);
-        } else if let Some(simd) = level.as_sse2() {
-            $crate::work::vectors::vectorized!(@run simd.few_lanes, $number => $run);
+            $crate::work::vectors::vectorized!(@run simd, $number => $run);
+        } else {
+            $run;
         }
-        // The unit tests compile the turn for one level alone; `tests/engine/lanes.rs` has them all.
-        #[cfg(all(target_arch = "x86_64", target_feature = "sse2", test))]
-        if let Some(simd) = level.as_sse2() {
-            $crate::work::vectors::vectorized!(@run simd.few_lanes, $number => $run);
+        #[cfg(all(target_arch = "x86_64", debug_assertions))]
+        if let Some(simd) = level.as_avx2() {
+            $crate::work::vectors::vectorized!(@run simd, $number => $run);
+        } else {
+            $run;
         }
         #[cfg(all(target_arch = "aarch64", target_feature = "neon"))]
         if let Some(simd) = level.as_neon() {
-            $crate::work::vectors::vectorized!(@run simd.lanes, $number => $run);
+            $crate::work::vectors::vectorized!(@run simd, $number => $run);
         }
         #[cfg(not(any(
-            all(target_arch = "x86_64", target_feature = "sse2"),
+            target_arch = "x86_64",
             all(target_arch = "aarch64", target_feature = "neon"),
         )))]
         {
@@ -40,12 +40,12 @@ macro_rules! vectorized {
             $run
         }
     }};
-    (@run $simd:ident.$lanes:ident, $number:ident => $run:expr) => {
+    (@run $simd:ident, $number:ident => $run:expr) => {
         fearless_simd::Simd::vectorize(
             $simd,
             #[inline(always)]
             || {
-                let $number = $crate::model::real::Real::$lanes($number, $simd);
+                let $number = $crate::model::real::Real::lanes($number, $simd);
                 $run
             },
         )

@@ -199,12 +199,12 @@ impl<R: Real> Feed<R> for Tray<R> {
     }
 }
 
-/// A vector of one level of instructions, with the lanes that a sweep has there: each compiles them anew.
+/// A vector of one level of instructions: each compiles the lanes anew.
 #[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))] // their baselines have vectors
 fn lanes_of_the_baseline() -> impl Vector<Element = f32> {
     let level = fearless_simd::Level::baseline();
     #[cfg(target_arch = "x86_64")]
-    return 0.0_f32.few_lanes(level.as_sse2().unwrap());
+    return 0.0_f32.lanes(level.as_sse2().unwrap());
     #[cfg(target_arch = "aarch64")]
     return 0.0_f32.lanes(level.as_neon().unwrap());
 }

@@ -6,8 +6,10 @@
 
 #[path = "../../../benches/common/mod.rs"]
 mod common;
+#[path = "../../../benches/common/timing.rs"]
+mod timing;
 
-use criterion::{Criterion, criterion_group, criterion_main};
+use timing::time;
 use topple::backend::cpu;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
@@ -20,19 +22,14 @@ use topple_pictures::drawing::render;
 use topple_pictures::map::Map;
 use topple_pictures::map::figure::overturning;
 
-fn pictures(c: &mut Criterion) {
+fn main() {
     let scene = common::pulse(128);
     let grid = Grid::of(&scene);
     let cells: Vec<usize> = (0..grid.len()).collect();
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
     let outcomes = cpu::sweep(Precision::F32, &plan, &grid, &cells, &Unwatched);
     let map = Map { scene: &scene, grid, outcomes: outcomes.into(), columns: ColumnSet::ALL };
-    c.bench_function("svg, 128 x 128", |b| {
-        b.iter(|| overturning::draw(&map, "", Print::default()).unwrap())
-    });
+    time("svg, 128 x 128", || overturning::draw(&map, "", Print::default()).unwrap());
     let svg = overturning::draw(&map, "", Print::default()).unwrap();
-    c.bench_function("png of the svg", |b| b.iter(|| render::png(&svg).unwrap()));
+    time("png of the svg", || render::png(&svg).unwrap());
 }
-
-criterion_group!(benches, pictures);
-criterion_main!(benches);
