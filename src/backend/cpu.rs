@@ -2,7 +2,6 @@
 
 use bytemuck::Zeroable;
 use fearless_simd::Level;
-use rayon::prelude::*;
 
 use super::cell_run::CellRun;
 use super::lanes;
@@ -16,7 +15,7 @@ use crate::stepping::log::{Event, FirstSwitches, Log};
 use crate::stepping::outcome::Outcome;
 use crate::stepping::single;
 use crate::work::observer::{Observer, Unwatched};
-use crate::work::threads::install;
+use crate::work::parallel;
 
 /// The number of cells that a thread takes at once.
 const BLOCK: usize = 16;
@@ -81,8 +80,7 @@ fn each<R: Real, L: Log<R> + Send>(
     let variant = plan.variant();
     let record = plan.record::<R>();
     let all = Cells::of(plan, grid, cells, &record, observer);
-    let mut outcomes = Vec::with_capacity(cells.len());
-    let all_cells = (0..cells.len()).into_par_iter().with_max_len(BLOCK).map(|number| {
+    parallel::each(cells.len(), BLOCK, |number| {
         let (cell, state) = all.begin(number);
         let model = &all.bodies()[cell.body as usize];
         let set = CellEquations::of(variant, model, &cell, &record);
@@ -90,7 +88,5 @@ fn each<R: Real, L: Log<R> + Send>(
         let state = single::run(&set, &state, &mut log);
         observer.advance(1);
         (all.outcome(number, &state), log)
-    });
-    install(|| all_cells.collect_into_vec(&mut outcomes));
-    outcomes
+    })
 }

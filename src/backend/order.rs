@@ -5,10 +5,9 @@
 //! row would otherwise read other motions from memory. Under a record cells with short steps take longest. They begin
 //! first, so that the last cells do not keep few lanes busy for long.
 
-use rayon::prelude::*;
-
 use crate::cells::listing::{CellAt, Index};
 use crate::scene::Grid;
+use crate::work::parallel;
 
 /// The number of motions of u that stay in the cache of a core while the motions of v are read.
 const STRIP: usize = 8;
@@ -21,18 +20,13 @@ pub fn begin_order(
     (grid, cells): (&Grid, &[usize]),
     substeps: impl Fn(&CellAt) -> u32 + Sync,
 ) -> Vec<u32> {
-    let keys: Vec<[u32; 3]> = cells
-        .par_iter()
-        .enumerate()
-        .with_min_len(1 << 12)
-        .map(|(number, &cell)| {
-            let cell = CellAt { number, place: grid.place(cell) };
-            let of = motions.map(|of| of.each_ref().map(|motions| motions.of(&cell)));
-            let [across, up] = of.unwrap_or_default();
-            // The memory limit keeps the motions below 2^32.
-            [substeps(&cell).leading_zeros(), (across / STRIP) as u32, up as u32]
-        })
-        .collect();
+    let keys: Vec<[u32; 3]> = parallel::each(cells.len(), 1 << 12, |number| {
+        let cell = CellAt { number, place: grid.place(cells[number]) };
+        let of = motions.map(|of| of.each_ref().map(|motions| motions.of(&cell)));
+        let [across, up] = of.unwrap_or_default();
+        // The memory limit keeps the motions below 2^32.
+        [substeps(&cell).leading_zeros(), (across / STRIP) as u32, up as u32]
+    });
     // A list has fewer than 2^32 cells: it is a batch of a sweep, or the cells that a refined map requests.
     let order = (0..cells.len() as u32).collect();
     [2, 1, 0]

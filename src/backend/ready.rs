@@ -4,7 +4,6 @@ use std::borrow::Cow;
 use std::time::{Duration, Instant};
 
 use fearless_simd::Level;
-use rayon::prelude::*;
 
 use super::backend_error::BackendError;
 use super::by_reference::by_reference;
@@ -19,7 +18,7 @@ use crate::results::block::Block;
 use crate::stepping::outcome::{Class, Outcome, Status};
 use crate::stepping::reference::Settings;
 use crate::work::observer::Observer;
-use crate::work::threads::install;
+use crate::work::parallel;
 
 /// A backend that is ready to run.
 pub enum Backend {
@@ -246,13 +245,14 @@ fn in_order(count: usize, precision: Precision, parts: &[Part], mut ran: Vec<Blo
 fn all_by_reference(run: &CellRun, observer: &dyn Observer) -> Vec<Outcome> {
     let settings = Settings::default();
     let go_on = || !observer.cancelled();
-    let cell = |&index: &usize| {
-        let outcome = by_reference(run.plan, &run.grid.case(index), &settings, &go_on);
+    let cell = |number: usize| {
+        let case = run.grid.case(run.cells[number]);
+        let outcome = by_reference(run.plan, &case, &settings, &go_on);
         observer.advance(1);
         // The result of a sweep that was cancelled is not used.
         outcome.unwrap_or(Outcome::PENDING)
     };
-    install(|| run.cells.par_iter().map(cell).collect())
+    parallel::each(run.cells.len(), 1, cell)
 }
 
 /// Marks cells as unresolved that another run classifies otherwise; cells that have not run stay pending.

@@ -8,11 +8,12 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use rayon::prelude::*;
+use rayon::slice::ParallelSliceMut;
 
 use super::window::{Combinations, Strides, Window, offset};
 use crate::scene::grid::Place;
 use crate::scene::{Grid, Parameter};
+use crate::work::parallel;
 use crate::work::threads::install;
 
 /// The most combinations per cell of a list for which a table holds all combinations of a window: a batch of a sweep
@@ -105,9 +106,9 @@ impl Entries {
             return Index::ByPlace(strides, self.combinations.before());
         }
         // A list has fewer than 2^32 cells, because memory cannot hold more numbers.
-        let number = |&key: &usize| self.entry(key).unwrap_or(0) as u32;
-        let numbers: Vec<u32> =
-            install(|| keys(grid, &strides, cells).par_iter().map(number).collect());
+        let keys = keys(grid, &strides, cells);
+        let number = |cell: usize| self.entry(keys[cell]).unwrap_or(0) as u32;
+        let numbers: Vec<u32> = parallel::each(keys.len(), SOME, number);
         Index::ByNumber(numbers.into())
     }
 }
@@ -115,8 +116,7 @@ impl Entries {
 /// The combination of each cell, by these strides of a whole grid.
 fn keys(grid: &Grid, strides: &Strides, cells: &[usize]) -> Vec<usize> {
     // The key is not larger than the number of the cell.
-    let key = |&cell: &usize| offset(strides, &grid.place(cell));
-    install(|| cells.par_iter().with_min_len(SOME).map(key).collect())
+    parallel::each(cells.len(), SOME, |number| offset(strides, &grid.place(cells[number])))
 }
 
 /// The combinations that some cells of a grid have, each once and in order.

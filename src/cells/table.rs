@@ -5,11 +5,9 @@
 //! of a thousand columns and rows needs a few thousand entries for its million cells. It has only the entries that
 //! some cells need, so that a batch or a list of cells needs a small table, whatever the size of the grid.
 
-use rayon::prelude::*;
-
 use super::listing::{CellAt, Index, Listing};
 use crate::scene::{Case, Parameter};
-use crate::work::threads::install;
+use crate::work::parallel;
 
 /// The number of entries from which on all cores compute them.
 const MANY: usize = 1 << 10;
@@ -36,7 +34,7 @@ impl<T: Send> Table<T> {
         let entry = |number| entry(&grid.case_at(&entries.place(number)));
         let all = match count {
             few if few < MANY => (0..count).map(entry).collect(),
-            _ => install(|| (0..count).into_par_iter().with_min_len(MANY / 4).map(entry).collect()),
+            _ => parallel::each(count, MANY / 4, entry),
         };
         Table { entries: all, index: index.clone() }
     }

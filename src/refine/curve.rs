@@ -1,7 +1,6 @@
 //! Boundaries between outcomes as curves: along one axis the place of a change is bisected, at all values of the other
 //! at once.
 
-use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::backend::backend_error::BackendError;
@@ -15,7 +14,7 @@ use crate::stepping::reference::Settings;
 use crate::sweep::error::SweepError;
 use crate::sweep::points::sweep_points;
 use crate::work::observer::Observer;
-use crate::work::threads::install;
+use crate::work::parallel;
 
 /// Width to which a place is bisected, as a share of its axis.
 pub const WITHIN: f64 = 1.0e-6;
@@ -147,8 +146,9 @@ impl Curve<'_> {
         let count = changes.len();
         let wanted = wanted.min(count);
         let chosen: Vec<usize> = (0..wanted).map(|k| (2 * k + 1) * count / (2 * wanted)).collect();
-        let ask = |k: &usize| self.asked_at(&plan, changes[*k], observer);
-        let told: Option<Vec<Option<f64>>> = install(|| chosen.par_iter().map(ask).collect());
+        let ask = |k: usize| self.asked_at(&plan, changes[chosen[k]], observer);
+        let told: Option<Vec<Option<f64>>> =
+            parallel::each(chosen.len(), 1, ask).into_iter().collect();
         let told = told.ok_or(BackendError::Cancelled)?;
         let mut word = ReferenceWord { asked: wanted, found: 0, farthest: 0.0 };
         for (k, reference) in chosen.into_iter().zip(told) {

@@ -4,8 +4,6 @@ use std::borrow::Cow;
 use std::io;
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use super::boxes::Square;
 use super::probes::own_cells;
 use super::refined::RefinedMap;
@@ -13,6 +11,7 @@ use crate::results::columns::Column;
 use crate::results::listed::{self, CountColumn, ListedCells};
 use crate::results::outcomes::Outcomes;
 use crate::stepping::outcome::Outcome;
+use crate::work::parallel;
 
 /// The columns that tell how a block overturned.
 const COUNTS: [Column; 3] = [Column::Outcome, Column::Impacts, Column::Uplifts];
@@ -126,8 +125,11 @@ impl RefinedMap {
             (leaf.row..leaf.row + leaf.height).map(row).sum()
         };
         let count = |is_of: fn(&Leaf) -> bool| -> usize {
-            let marked = leaves.par_iter().filter(|leaf| is_of(leaf));
-            marked.map(|leaf| leaf.width * leaf.height - ran(leaf)).sum()
+            let cells = |number: usize| match &leaves[number] {
+                leaf if is_of(leaf) => leaf.width * leaf.height - ran(leaf),
+                _ => 0,
+            };
+            parallel::each(leaves.len(), 1 << 12, cells).into_iter().sum()
         };
         let beside = count(|leaf| leaf.beside);
         let impacts_differ = count(|leaf| leaf.impacts_differ);

@@ -5,7 +5,6 @@ use std::path::Path;
 use std::time::Instant;
 
 use rand_pcg::Pcg64Mcg;
-use rayon::prelude::*;
 
 use super::bound::share_at_most;
 use super::boxes::{Boxes, Square};
@@ -21,7 +20,7 @@ use crate::sweep::error::SweepError;
 use crate::sweep::map::MapSweep;
 use crate::sweep::runner::Runner;
 use crate::work::observer::{Observer, Phase};
-use crate::work::threads::install;
+use crate::work::parallel;
 
 /// The largest number of rounds of probes of a level: where every round finds missed cells, the outcome is chaotic, and more rounds
 /// do not help.
@@ -158,8 +157,7 @@ impl Refiner<'_> {
                 queue.push(leaf);
             }
         });
-        let queue: Vec<Square> =
-            install(|| queue.into_par_iter().filter(|square| self.is_open(*square)).collect());
+        let queue = self.open(queue);
         self.split_all(queue, level, &mut told)?;
         for _ in 0..ROUNDS {
             let (round, missed) = self.probe(level, probes, random)?;
@@ -198,12 +196,9 @@ impl Refiner<'_> {
             told.boxes += queue.len();
             told.cells += wanted.len();
             self.run(&wanted)?;
-            let children = queue
-                .par_iter()
-                .filter(|square| square.level < level)
-                .flat_map_iter(|square| self.boxes.children(*square))
-                .filter(|square| self.is_open(*square));
-            let mut next: BTreeSet<Square> = install(|| children.collect());
+            let split = queue.iter().filter(|square| square.level < level);
+            let children = split.flat_map(|square| self.boxes.children(*square)).collect();
+            let mut next: BTreeSet<Square> = self.open(children).into_iter().collect();
             for cell in wanted {
                 let (column, row) = (cell % width, cell / width);
                 for leaf in self.boxes.around(column, row) {
@@ -215,6 +210,12 @@ impl Refiner<'_> {
             queue = next.into_iter().collect();
         }
         Ok(())
+    }
+
+    /// Those of some boxes that are open.
+    fn open(&self, boxes: Vec<Square>) -> Vec<Square> {
+        let open = parallel::each(boxes.len(), 64, |number| self.is_open(boxes[number]));
+        boxes.into_iter().zip(open).filter_map(|(square, open)| open.then_some(square)).collect()
     }
 
     /// True where a cell differs from the first one of a leaf.

@@ -2,7 +2,6 @@
 
 use std::io::{self, Write};
 
-use rayon::prelude::*;
 use serde::{Serialize, Serializer};
 
 use super::column_set::ColumnSet;
@@ -12,6 +11,7 @@ use super::outcomes::{Outcomes, each_block, each_block_of};
 use crate::scene::Grid;
 use crate::scene::grid::Axis;
 use crate::stepping::outcome::Outcome;
+use crate::work::parallel;
 
 /// A number in as few digits as tell it from its neighbours: those of f32 where it came from one.
 pub struct Number(pub f64);
@@ -46,12 +46,12 @@ pub fn write(
     drop(head);
     let read: Vec<Column> = columns.columns().collect();
     each_block(grid, outcomes, &read, |first, block| {
-        let made: Vec<Vec<u8>> = block
-            .par_chunks(ROWS)
-            .enumerate()
-            .map(|(k, cells)| rows(grid, columns, first + k * ROWS, cells))
-            .collect::<Result<_, _>>()?;
-        made.iter().try_for_each(|rows| writer.write_all(rows))
+        let parts: Vec<_> = block.chunks(ROWS).collect();
+        let part = |k: usize| rows(grid, columns, first + k * ROWS, parts[k]);
+        for rows in parallel::each(parts.len(), 1, part) {
+            writer.write_all(&rows?)?;
+        }
+        Ok(())
     })?;
     writer.flush()?;
     Ok(())

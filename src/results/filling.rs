@@ -3,14 +3,13 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use super::block::{AT_ONCE, Block, with_columns};
 use super::cell_value::{CellValue, Stored};
 use super::columns::{Column, ColumnType, Columns, Slots, ValueOf, with_column};
 use super::element::ColumnNumber;
 use crate::model::precision::Precision;
 use crate::stepping::outcome::Outcome;
+use crate::work::parallel;
 
 /// Cells that a thread fills at once: some 100 kB of columns, which no other thread writes to.
 const A_THREAD: usize = 1 << 11;
@@ -100,8 +99,10 @@ impl<F: ColumnNumber> Slots<'_, F> {
             let cells = from..(from + A_THREAD).min(count);
             (cells.clone(), self.cut(cells.len()))
         };
-        let parts: Vec<(Range<usize>, Slots<F>)> = (0..count).step_by(A_THREAD).map(cut).collect();
-        parts.into_par_iter().for_each(|(cells, mut slots)| {
+        let mut parts: Vec<(Range<usize>, Slots<F>)> =
+            (0..count).step_by(A_THREAD).map(cut).collect();
+        parallel::each_slice(&mut parts, 1, |_, parts| {
+            let (cells, slots) = &mut parts[0];
             let mut outcomes = Vec::with_capacity(FILLED);
             for from in cells.clone().step_by(FILLED) {
                 outcomes.clear();

@@ -3,7 +3,6 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use rayon::prelude::*;
 use serde_json::Value;
 
 use super::about::Source;
@@ -15,6 +14,7 @@ use super::files::{Directory, WriteError};
 use super::listed::{CELL, ListedCells};
 use super::{chunk, zarr};
 use crate::scene::Grid;
+use crate::work::parallel;
 
 /// The files of a group, but those of its chunks: its documents, and the axes' values.
 pub fn metadata_files(
@@ -68,8 +68,11 @@ impl ChunkFiles<'_> {
         };
         let mut arrays: Vec<(&str, Column)> = zarr::columns(self.columns).collect();
         let status = arrays.pop();
-        let written = arrays.into_par_iter().map(write).collect::<Result<Vec<bool>, _>>()?;
-        let whole = written.into_iter().all(|written| written);
+        let written = parallel::each(arrays.len(), 1, |number| write(arrays[number]));
+        let mut whole = true;
+        for written in written {
+            whole &= written?;
+        }
         match status {
             Some(status) if whole => write(status),
             _ => Ok(whole),

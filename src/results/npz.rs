@@ -5,7 +5,6 @@ use std::fs::File;
 use std::io::{self, BufReader, Seek, Write};
 use std::path::Path;
 
-use rayon::prelude::*;
 use serde_json::Value;
 use zip::write::SimpleFileOptions;
 use zip::{ZipArchive, ZipWriter};
@@ -24,9 +23,13 @@ use crate::scene::grid::Axis;
 use crate::scene::record::zips;
 use crate::scene::{Grid, bounded};
 use crate::stepping::outcome::{Outcome, Status};
+use crate::work::parallel;
 
 /// Level of compression: of more, files are hardly smaller and take several times as long.
 const LEVEL: i64 = 2;
+
+/// The number of cells whose values a thread makes at once.
+const AT_ONCE: usize = 1 << 14;
 
 /// Writes the archive, column by column, never a whole one in memory. Names are codes there, which `about`
 /// tells with units, meanings, scene and version, as JSON. `proved`, which goes with the status, is true for
@@ -170,10 +173,9 @@ impl<W: Write + Seek> Archive<'_, W> {
     ) -> io::Result<()> {
         let shape = self.shape.clone();
         self.begin_numbers::<T>(name, &shape)?;
-        let mut values = Vec::new();
         let count = shape.iter().product::<u64>() as usize;
         each_block_of(count, self.outcomes, &[column], |_, block| {
-            block.par_iter().map(value).collect_into_vec(&mut values);
+            let values = parallel::each(block.len(), AT_ONCE, |cell| value(&block[cell]));
             self.zip.write_all(bytemuck::cast_slice(&values))
         })
     }

@@ -4,14 +4,13 @@ use std::io::ErrorKind;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use rayon::prelude::*;
-
 use super::chunking::Chunking;
 use super::column_set::ColumnSet;
 use super::columns::{Column, of};
 use super::store_error::StoreError;
 use super::{block, chunk, zarr};
 use crate::scene::bounded;
+use crate::work::parallel;
 
 /// A chunk of which cells were saved.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -42,16 +41,16 @@ impl SavedChunks {
         of: (u32, ColumnSet),
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<SavedChunks, StoreError> {
-        let find = |chunk| {
+        let find = |chunk| -> Result<_, StoreError> {
             let found = find(folder, chunking, chunk, of)?;
             if let Some(Ok(saved)) = &found {
                 progress(saved.done.iter().map(Range::len).sum());
             }
             Ok(found)
         };
-        let all = (0..chunking.count()).into_par_iter().map(find);
         let mut found = SavedChunks::default();
-        for one in all.collect::<Result<Vec<_>, StoreError>>()?.into_iter().flatten() {
+        for one in parallel::each(chunking.count(), 1, find) {
+            let Some(one) = one? else { continue };
             match one {
                 Ok(saved) => found.chunks.push(saved),
                 Err(broken) => found.broken.extend(broken),

@@ -2,7 +2,6 @@
 
 use std::time::{Duration, Instant};
 
-use rayon::prelude::*;
 use serde::Serialize;
 
 use super::sample::Chosen;
@@ -13,7 +12,7 @@ use crate::scene::{Case, Grid};
 use crate::stepping::outcome::{Class, Outcome};
 use crate::stepping::reference::Settings;
 use crate::work::observer::Observer;
-use crate::work::threads::install;
+use crate::work::parallel;
 
 /// The surroundings of a cell whose outcome differs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -194,7 +193,8 @@ pub fn verify(
         observer.advance(1);
         Some(judged)
     };
-    let judged: Vec<Option<Judged>> = install(|| chosen.par_iter().map(judge).collect());
+    let judged: Vec<Option<Judged>> =
+        parallel::each(chosen.len(), 1, |number| judge(&chosen[number]));
     if observer.cancelled() {
         return None;
     }

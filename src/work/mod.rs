@@ -2,5 +2,6 @@
 
 pub mod observed;
 pub mod observer;
+pub mod parallel;
 pub mod threads;
 pub mod vectors;

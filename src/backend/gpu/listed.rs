@@ -6,8 +6,6 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
-
 use super::tile::{LISTED, Layout, Tile};
 use crate::cells::cell_tables::Clocks;
 use crate::cells::groups::{Drive, Horizontal, Vertical};
@@ -15,6 +13,7 @@ use crate::cells::listing::Index;
 use crate::cells::ready::Cells;
 use crate::model::real::Real;
 use crate::scene::grid::AXES;
+use crate::work::parallel;
 
 /// The count of numbers in an entry of each table that an axis stands for: the horizontal and the vertical isolation,
 /// the excitation and the bodies; and the beginnings of motions of u and of v.
@@ -42,7 +41,7 @@ pub fn places<R: Real>(all: &Cells<R>, cells: Range<usize>) -> Vec<u32> {
             all.of_motions.as_ref().map_or([0; 2], |of| [entry(&of[0]), entry(&of[1])]);
         [horizontal, vertical, drive, entry(&tables.bodies.index), across, up]
     };
-    cells.into_par_iter().flat_map_iter(of).collect()
+    parallel::each(cells.len(), 1 << 12, |number| of(cells.start + number)).into_flattened()
 }
 
 /// The number of the clock of each cell, where the tables hold the clocks.
@@ -50,7 +49,7 @@ pub fn clocks<R: Real>(all: &Cells<R>, cells: Range<usize>) -> Vec<u32> {
     match &all.tables.clocks {
         Clocks::Shared(table) => {
             let of = |number| table.index.of(&all.tables.cell(number)) as u32;
-            cells.into_par_iter().map(of).collect()
+            parallel::each(cells.len(), 1 << 12, |number| of(cells.start + number))
         }
         Clocks::Own(_) => Vec::new(),
     }

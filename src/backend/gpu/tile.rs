@@ -4,7 +4,6 @@
 use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
-use rayon::prelude::*;
 
 use crate::cells::cell_tables::{CellTables, ClockParts, Clocks, OwnClock};
 use crate::cells::clock::Clock;
@@ -12,6 +11,7 @@ use crate::cells::groups::Steps;
 use crate::cells::listing::Index;
 use crate::model::real::Real;
 use crate::scene::grid::AXES;
+use crate::work::parallel;
 
 /// A tile in the form in which the shader reads it.
 #[repr(C)]
@@ -167,18 +167,18 @@ impl<R: Real> OwnClocks<R> {
     pub fn of(tables: &CellTables<R>, cells: Range<usize>) -> Option<OwnClocks<R>> {
         let Clocks::Own(parts) = &tables.clocks else { return None };
         let mut numbers = vec![0; cells.len()];
-        let groups = numbers.par_chunks_mut(TOGETHER).enumerate();
-        let first = |group| cells.start + group * TOGETHER;
-        let lists: Vec<Vec<OwnClock>> =
-            groups.map(|(group, numbers)| list(tables, parts, first(group), numbers)).collect();
+        let lists = parallel::each_slice(&mut numbers, TOGETHER, |group, numbers| {
+            list(tables, parts, cells.start + group * TOGETHER, numbers)
+        });
         let firsts: Vec<u32> = lists
             .iter()
             .scan(0, |first, list| Some(std::mem::replace(first, *first + list.len() as u32)))
             .collect();
-        let groups = numbers.par_chunks_mut(TOGETHER).zip(&firsts);
-        groups.for_each(|(numbers, first)| numbers.iter_mut().for_each(|number| *number += first));
+        parallel::each_slice(&mut numbers, TOGETHER, |group, numbers| {
+            numbers.iter_mut().for_each(|number| *number += firsts[group]);
+        });
         let (clocks, steps) =
-            lists.par_iter().flatten_iter().map(|listed| (listed.clock, listed.steps())).unzip();
+            lists.iter().flatten().map(|listed| (listed.clock, listed.steps())).unzip();
         Some(OwnClocks { numbers, clocks, steps })
     }
 }

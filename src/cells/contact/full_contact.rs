@@ -11,12 +11,11 @@
 //! integration of its own.
 
 use fearless_simd::Level;
-use rayon::prelude::*;
 
 use super::bounded_motions;
 use super::dependence::{Dependence, shared_amplitude};
 use super::kept_motions::Kept;
-use super::motions::{MotionPair, Motions, Slots};
+use super::motions::{MotionPair, Motions};
 use super::motions_with_forces;
 use super::shared_motion::{Direction, MotionSet, Start};
 use crate::cells::laws::Laws;
@@ -30,6 +29,7 @@ use crate::scene::grid::Place;
 use crate::scene::{Excitation, Grid, Parameter};
 use crate::stepping::certificate::STEPS_A_TRY;
 use crate::work::observer::Observer;
+use crate::work::parallel;
 use crate::work::vectors::lanes_of;
 
 /// Largest memory for the motions, bytes; where a grid needs more, each cell integrates its own full contact.
@@ -176,20 +176,22 @@ impl<R: Real> FullContactMotions<R> {
                 };
                 Start::of(clock, &case, direction, after)
             };
-            let starts: Vec<Start<R>> = kept.missing().par_iter().map(start).collect();
+            let missing = kept.missing();
+            let starts: Vec<Start<R>> =
+                parallel::each(missing.len(), 64, |number| start(&missing[number]));
             let lengths = starts.iter().map(Start::samples);
             let mut motions = kept.with_room(direction.fields(plan.asked.forces), lengths);
-            let some = |(slots, starts): (&mut [Slots<R>], &[Start<R>])| {
+            let mut slots = kept.fill(&mut motions);
+            parallel::each_slice(&mut slots, lanes, |number, slots| {
+                let starts = &starts[number * lanes..][..slots.len()];
                 let set = MotionSet { variant, direction, record, starts };
-                let integrate = || match plan.asked.forces {
+                match plan.asked.forces {
+                    _ if observer.cancelled() => {}
                     true => motions_with_forces::integrate(set, slots, level),
                     false => bounded_motions::integrate(set, slots, level),
-                };
-                (!observer.cancelled()).then(integrate)
-            };
-            let mut slots = kept.fill(&mut motions);
-            slots.par_chunks_mut(lanes).zip(starts.par_chunks(lanes)).try_for_each(some)?;
-            Some(motions)
+                }
+            });
+            (!observer.cancelled()).then_some(motions)
         };
         let [across, up] = wanted;
         let across = Kept::of(across, known.map(|known| known[0]));
