@@ -7,9 +7,12 @@ use topple::model::asked::Asked;
 use topple::model::precision::Precision;
 use topple::model::pulse::Shape;
 use topple::scene::device_numbers::DeviceNumbers;
-use topple::scene::{Directions, GRAVITY, Grid, Parameter as P, Pressure, Scene, SceneBuilder};
+use topple::scene::{
+    Case, Directions, GRAVITY, Grid, Parameter as P, Pressure, Range, Scene, SceneBuilder,
+};
 use topple::stepping::outcome::{Class, Outcome, Status};
-use topple::stepping::reference::{self, Settings};
+use topple::stepping::reference::system::{DU, State, U};
+use topple::stepping::reference::{self, Settings, Switch};
 use topple::work::observer::Unwatched;
 
 use crate::common::all;
@@ -290,4 +293,67 @@ fn hits_to_come_are_counted() {
     near(cell.stop_force, truth.stop_force, 1.0e-6, "force");
     // Once the stop is out of reach the cell ends.
     assert_eq!(cell.status, Status::Proved, "{cell:?}");
+}
+
+/// The damper of an end stop pushes while the base moves towards it: beyond the gap, a base that moves back fast enough is not
+/// pushed, and an impact of the block, which changes u', can begin a push. The count is that of the reference, whose rest speed
+/// and tolerance do not matter in the cells that are compared.
+#[test]
+fn a_push_that_an_impact_begins_is_counted() {
+    let (mut compared, mut of_impacts) = (0, 0);
+    for (omega, factor) in [(4.0, 1.0), (6.0, 0.8), (9.0, 1.0)] {
+        let scene = SceneBuilder { force: true, ..SceneBuilder::default() }
+            .isolated(Directions::Horizontal)
+            .with(P::HalfWidth, 0.3)
+            .with(P::Height, 1.0)
+            .with(P::Mass, BLOCK)
+            .with(P::PlateH, 20.0)
+            .with(P::TH, 1.0)
+            .with(P::Psi, 1.0)
+            .with(P::XiH, 0.05)
+            .with(P::StopGap, Range::even(0.02, 0.1, 5))
+            .with(P::StopStiffness, 1000.0 * 600.0)
+            .with(P::StopXi, Range::even(0.3, 0.9, 3))
+            .with(P::RestitutionFactor, factor)
+            .with(P::Omega, omega)
+            .with(P::AH, Range::even(2.5, 6.0, 8))
+            .with(P::TMax, 6.0)
+            .check()
+            .unwrap();
+        let grid = Grid::of(&scene);
+        let asked = Asked { stops: true, ..Asked::ALL };
+        let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().at(Precision::F64).asking(asked);
+        let cells = cpu::sweep(Precision::F64, &plan.full_model(), &grid, &all(&grid), &Unwatched);
+        for (index, cell) in cells.iter().enumerate() {
+            let case = grid.case(index);
+            let truth = |settings| reference::run(&scene, &case, &settings);
+            let count = |cell: &Outcome| (cell.class, cell.impacts, cell.stop_hits);
+            let one = truth(Settings::default());
+            let tight = truth(Settings { tolerance: 1.0e-12, rest_speed: 1.0e-3, ..Settings::default() });
+            if count(&one) != count(&tight) || one.impacts != cell.impacts {
+                continue;
+            }
+            compared += 1;
+            of_impacts += usize::from(begun_by_impacts(&scene, &case) > 0);
+            assert_eq!(count(cell), count(&one), "{omega}, cell {index}");
+        }
+    }
+    assert!(compared > 150 && of_impacts >= 10, "{compared} {of_impacts}");
+}
+
+/// The pushes that begin at impacts, by the reference.
+fn begun_by_impacts(scene: &Scene, case: &Case) -> u32 {
+    let stop = case.isolation.stop.unwrap();
+    let pushed = |y: &State| {
+        let (side, depth) = (y[U].signum(), y[U].abs() - stop.gap);
+        depth > 0.0 && stop.stiffness * depth + stop.damping * side * y[DU] > 0.0
+    };
+    let (mut begun, mut before) = (0, false);
+    reference::observe(scene, case, &Settings::default(), &mut |instant| {
+        let now = pushed(instant.y);
+        // What is seen last before an impact is the end of the step before; a push that begins in the step cuts it.
+        begun += u32::from(matches!(instant.switch, Some(Switch::Impact(_))) && now && !before);
+        before = now;
+    });
+    begun
 }
