@@ -40,7 +40,8 @@ impl Part {
             return Vec::new();
         }
         let list = Listing::of(grid, cells);
-        let table = Table::of(&list, &deciding, |case| (plan.locks_vertical(case), plan.laws_of(case)));
+        let table =
+            Table::of(&list, &deciding, |case| (plan.locks_vertical(case), plan.laws_of(case)));
         let mut parts: Vec<Part> = Vec::new();
         let mut part_of = |&(vertical_locked, laws): &(bool, Laws)| {
             let laws = if vertical_locked { laws.without_vertical() } else { laws };
@@ -121,7 +122,10 @@ mod tests {
                 assert_eq!(part.plan.scene.isolation.moves_v(), !part.vertical_locked);
                 for (&cell, &place) in part.cells.iter().zip(&part.places) {
                     let case = grid.case(cell);
-                    assert_eq!((cells[place], part.vertical_locked), (cell, plan.locks_vertical(&case)));
+                    assert_eq!(
+                        (cells[place], part.vertical_locked),
+                        (cell, plan.locks_vertical(&case))
+                    );
                     assert_eq!(part.plan.laws, part.plan.laws_of(&case));
                 }
                 places.extend(&part.places);

@@ -88,9 +88,7 @@ pub fn check(packed: &[u8], tag: u32, path: &str) -> Result<(), Fault> {
     let of = decoder.header().and_then(|header| header.comment()).unwrap_or_default();
     match of == name(tag, path).as_bytes() {
         true => Ok(()),
-        false if of.starts_with(name(tag, "").as_bytes()) => {
-            Err(Fault::OtherFile)
-        }
+        false if of.starts_with(name(tag, "").as_bytes()) => Err(Fault::OtherFile),
         false => Err(Fault::OtherRun),
     }
 }

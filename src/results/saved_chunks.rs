@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use super::chunking::Chunking;
 use super::chunk::Fault;
+use super::chunking::Chunking;
 use super::column_set::ColumnSet;
 use super::columns::{Column, of};
 use super::store_error::StoreError;

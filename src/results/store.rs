@@ -102,7 +102,13 @@ impl Store {
             folder,
             path,
             metadata: group::metadata_files(contents.grid, documents, identity.tag()),
-            record: contents.source.scene.excitation.record().cloned().filter(|_| identity.shard().is_some()),
+            record: contents
+                .source
+                .scene
+                .excitation
+                .record()
+                .cloned()
+                .filter(|_| identity.shard().is_some()),
             has_metadata: AtomicBool::new(false),
             identity,
             chunking: Chunking::of(contents.grid),

@@ -163,11 +163,7 @@ impl<R: Real> LongSteps<R> {
             rest => rest,
         };
         let over = |steps: u32| Swing::over(f64::from(steps) * step, stiffness, damping);
-        LongSteps {
-            steps: R::of(f64::from(steps)),
-            whole: over(steps),
-            last: over(last),
-        }
+        LongSteps { steps: R::of(f64::from(steps)), whole: over(steps), last: over(last) }
     }
 }
 

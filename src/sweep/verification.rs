@@ -49,7 +49,7 @@ const CHANGE: f64 = 1.0e-6;
 impl Judged {
     fn region(&self) -> Region {
         // A sweep with wrong contact forces would excuse itself.
-        if self.reference.min_contact < 0.0 {
+        if self.reference.loses_contact() {
             Region::Tensile
         } else if self.chosen.beside_boundary {
             Region::BesideBoundary

@@ -152,7 +152,8 @@ fn exponential(matrix: Matrix) -> Matrix {
     let mut sum = [[0.0; 4]; 4];
     for k in 1..12 {
         term = times(term, small).map(|row| row.map(|number| number / f64::from(k)));
-        sum = [0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|column| sum[row][column] + term[row][column]));
+        sum =
+            [0, 1, 2, 3].map(|row| [0, 1, 2, 3].map(|column| sum[row][column] + term[row][column]));
     }
     for _ in 0..halvings {
         // (1 + s)^2 - 1 = 2 s + s^2.
@@ -197,7 +198,10 @@ fn the_changes_in_a_step_are_the_exponential_of_a_matrix() {
     }
     // A base that does not move vertically.
     let still = Swing::<f64>::over(0.01, 0.0, 0.0);
-    assert_eq!((still.v_from_v, still.v_from_dv, still.dv_from_v, still.dv_from_dv), (0.0, 0.01, 0.0, 0.0));
+    assert_eq!(
+        (still.v_from_v, still.v_from_dv, still.dv_from_v, still.dv_from_dv),
+        (0.0, 0.01, 0.0, 0.0)
+    );
 }
 
 /// In f32 a soft vertical isolation has the stroke of f64 within 2e-5: a step rounds v by 6e-8 at the most, and 10,000 steps add up

@@ -161,7 +161,8 @@ fn a_run_under_a_long_record_is_resumed() {
         (0..1_000_000).map(|k| factor * (0.01 * f64::from(k)).sin() / 3.0).collect()
     };
     let shaken = |factor: f64| {
-        let text = "[block]\nobject = 1\n[base]\nisolation = \"none\"\n[pulse]\nomega = 5\na_h = 1\n";
+        let text =
+            "[block]\nobject = 1\n[base]\nisolation = \"none\"\n[pulse]\nomega = 5\na_h = 1\n";
         // Most of the cells overturn within seconds, of a hundred.
         let scene = crate::common::scene(text);
         let mut scene = crate::common::shaken(scene, 1.0e-4, samples(factor));
@@ -176,7 +177,7 @@ fn a_run_under_a_long_record_is_resumed() {
     let scene = shaken(1.0);
     let Err(error) = sweep(&scene, &[], &settings, &Ear::ending_at(1)) else { panic!() };
     let SweepError::Stopped { saved, .. } = error else { panic!("{error}") };
-    assert!(saved >= 60, "{saved}");
+    assert!(saved > 0 && saved < 72, "{saved}");
     let identity = fs::metadata(out.path().join("unfinished/identity.json")).unwrap();
     assert!(identity.len() < 10_000, "{} bytes", identity.len());
     // One sample in the last digit.

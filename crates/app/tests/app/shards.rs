@@ -386,7 +386,9 @@ fn shards_may_come_from_different_backends() {
     let identity = fs::read(dir.path().join("one/part-1-of-2/identity.json")).unwrap();
     assert!(bytes.len() > 10 * identity.len(), "{} {}", bytes.len(), identity.len());
     let [one, other] = ["one", "other"].map(|name| dir.path().join(name));
-    for (wrong, said) in [(Some(&bytes[8..]), "not the samples of the record"), (None, "samples.f64")] {
+    for (wrong, said) in
+        [(Some(&bytes[8..]), "not the samples of the record"), (None, "samples.f64")]
+    {
         match wrong {
             Some(wrong) => fs::write(&samples, wrong).unwrap(),
             None => fs::remove_file(&samples).unwrap(),
@@ -497,7 +499,10 @@ fn what_is_no_map_is_refused_by_name() {
     let finer = fs::read(place("finer/part-2-of-3/zeta/c/0/0")).unwrap();
     fs::write(&zeta, &finer).unwrap();
     refused(&["1", "2", "3"], &["zeta/c/0/0: a chunk of another run; give the folder"]);
-    let resumed = pulse(&place("2"), &GRID).args(["--tile", "2/3", "--backend", "cpu", "--resume"]).assert().code(2);
+    let resumed = pulse(&place("2"), &GRID)
+        .args(["--tile", "2/3", "--backend", "cpu", "--resume"])
+        .assert()
+        .code(2);
     let error = String::from_utf8(resumed.get_output().stderr.clone()).unwrap();
     assert!(error.contains("zeta/c/0/0 is a chunk of another run; move it away"), "{error}");
     assert_eq!(fs::read(&zeta).unwrap(), finer);
