@@ -82,16 +82,18 @@ impl Content {
         same && alike
     }
 
-    /// Takes over the samples of a record that is the same; false where it is another one.
+    /// Takes over the samples of a record that is the same; false where there is none, or another one.
     pub fn share_samples(&mut self, other: &Content) -> bool {
-        let same = self.samples == other.samples;
-        if let (Excitation::Record(pair), Excitation::Record(there), true) =
-            (&mut self.scene.excitation, &other.scene.excitation, same)
-        {
-            pair.horizontal = Arc::clone(&there.horizontal);
-            pair.vertical = Arc::clone(&there.vertical);
+        match (&mut self.scene.excitation, &other.scene.excitation) {
+            (Excitation::Record(pair), Excitation::Record(there))
+                if self.samples == other.samples =>
+            {
+                pair.horizontal = Arc::clone(&there.horizontal);
+                pair.vertical = Arc::clone(&there.vertical);
+                true
+            }
+            _ => false,
         }
-        same
     }
 
     /// The same of the map that its shard is of.

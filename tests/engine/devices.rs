@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 use topple::backend::cpu;
+use topple::backend::gpu::run::Sweeper;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::model::asked::Asked;
@@ -17,7 +18,7 @@ use topple::stepping::reference::system::{DU, State, U};
 use topple::stepping::reference::{self, Settings, Switch};
 use topple::work::observer::Unwatched;
 
-use crate::common::{all, say, synthetic_pair};
+use crate::common::{all, gpu, say, synthetic_pair};
 
 /// Masses of the block and of each plate, kg.
 const BLOCK: f64 = 900.0;
@@ -322,7 +323,13 @@ fn a_push_that_an_impact_begins_is_counted() {
         let grid = Grid::of(&scene);
         let asked = Asked { stops: true, ..Asked::ALL };
         let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().at(Precision::F64).asking(asked);
-        let cells = cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched);
+        let mut ways =
+            vec![("cpu", cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched))];
+        if let Some(gpu) = gpu("stop hits", Precision::F64) {
+            let sweeper = Sweeper::new(&gpu, Precision::F64, plan.variant()).unwrap();
+            let swept = sweeper.sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched).unwrap();
+            ways.push(("shader", swept.block.to_outcomes()));
+        }
         let wanted = |index: usize| {
             let case = grid.case(index);
             let hits = |case: &Case, settings| {
@@ -338,15 +345,15 @@ fn a_push_that_an_impact_begins_is_counted() {
             same.then(|| (one, begun_by_impacts(&scene, &case)))
         };
         let wanted: Vec<_> = (0..grid.len()).into_par_iter().map(wanted).collect();
-        for (index, (cell, wanted)) in cells.iter().zip(wanted).enumerate() {
+        for (index, wanted) in wanted.into_iter().enumerate() {
             let Some((wanted, begun)) = wanted.filter(|(of, _)| of.0 == Class::Rocking) else {
                 continue;
             };
-            assert_eq!(
-                (cell.class, cell.stop_hits),
-                wanted,
-                "{plate}, cell {index}: {begun} by impacts"
-            );
+            for (way, cells) in &ways {
+                let cell = &cells[index];
+                let what = format!("{way}, {plate}, cell {index}: {begun} by impacts");
+                assert_eq!((cell.class, cell.stop_hits), wanted, "{what}");
+            }
             compared += 1;
             of_impacts += u32::from(begun > 0);
         }
