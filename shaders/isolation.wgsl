@@ -49,8 +49,10 @@ fn with_devices(cell: Cell, y: Motion, ground: Ground, base: Support) -> Support
         f_v = f_v - cell.hardening_v * y.v * y.v * y.v;
     }
     if follows {
-        let pressed = max(pressure(f_v, ground), zero);
-        f_h = f_h + pendulum_slope(cell, y) * (model.gravity - pressed);
+        let pressed = pressure(f_v, ground);
+        let held = f_h + pendulum_slope(cell, y) * (model.gravity - pressed);
+        // Without pressure the force is zero, and not the rounding error of a difference.
+        f_h = select(-(cell.damping_h * y.du), held, pressed > 0.0);
     }
     if stops {
         f_h = f_h - stop * stop_force(cell, stop, y);

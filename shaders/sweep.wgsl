@@ -1,4 +1,4 @@
-// One thread for each cell: a number of its turns, from a state to a later state. Twin: src/backend/cpu.rs.
+// One thread for each cell: a number of its turns, from a state to a later state. Twin: src/stepping/lanes.rs.
 
 override workgroup_size: u32 = 64u;
 

@@ -170,7 +170,12 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     if overturned {
         overturn(state, fraction);
     } else if switches {
+        let apart = stop_values && abs(stop_side(cell, (*state).motion)) <= 0.0;
         land(cell, state, (*t).forcing, fraction);
+        // An impact changes u', and with it the force of the stop's damper: the push may begin there.
+        if apart && abs(stop_side(cell, (*state).motion)) > 0.0 {
+            (*state).stop_hits += 1.0;
+        }
     }
     let through = ((plain && !(*t).cut) || (moved && fraction >= 1.0)) && !overturned;
     if moved && !through {

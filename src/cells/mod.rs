@@ -1,7 +1,7 @@
 //! A scene at one place of its grid: the numbers that a thread gets, and its first state.
 //!
 //! ```text
-//! laws, clock_parts, groups, reader -> plan -> part -> table, cell_tables -> begin, contact -> ready
+//! laws, clock_parts, groups, reader, samples -> plan -> part -> table, cell_tables -> begin, contact -> ready
 //! ```
 
 pub(crate) mod at_rest;
@@ -20,6 +20,7 @@ pub mod part;
 pub mod plan;
 pub(crate) mod reader;
 pub mod ready;
+pub(crate) mod samples;
 pub mod shortcuts;
 pub(crate) mod table;
 pub(crate) mod window;

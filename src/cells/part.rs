@@ -1,7 +1,10 @@
 //! The cells of a list, divided into parts whose cells run one model each.
 
 use super::body::body_parameters;
+use super::laws::Laws;
+use super::listing::{CellAt, Listing};
 use super::plan::Plan;
+use super::table::Table;
 use crate::results::block::Block;
 use crate::scene::{Grid, Parameter};
 use crate::stepping::outcome::Status;
@@ -22,7 +25,8 @@ pub struct Part {
 impl Part {
     /// Some cells of the grid of a plan in parts whose cells run one model each: cells whose base yields and cells
     /// whose base does not, cells of equal exponent n, and cells whose vertical isolation is rigid for the record,
-    /// with that direction locked. The cells may be in any order.
+    /// with that direction locked. The cells may be in any order. The model is decided once for each combination of the
+    /// values that decide it, not for each cell.
     pub fn of(plan: &Plan, grid: &Grid, cells: &[usize]) -> Vec<Part> {
         let stiffness = [Parameter::TH, Parameter::K1, Parameter::UY, Parameter::YieldForce];
         let mut deciding = vec![Parameter::Psi, Parameter::BoucWenN, Parameter::TV];
@@ -32,33 +36,36 @@ impl Part {
             deciding.extend(stiffness);
             deciding.extend(body_parameters());
         }
-        let Some(first) = cells.first() else { return Vec::new() };
-        if !grid.sweeps(&deciding) && !plan.locks_vertical(&grid.case(*first)) {
-            return vec![Part {
-                plan: plan.clone(),
-                cells: cells.to_vec(),
-                places: (0..cells.len()).collect(),
-                vertical_locked: false,
-            }];
+        if cells.is_empty() {
+            return Vec::new();
         }
+        let list = Listing::of(grid, cells);
+        let table =
+            Table::of(&list, &deciding, |case| (plan.locks_vertical(case), plan.laws_of(case)));
         let mut parts: Vec<Part> = Vec::new();
-        for (place, &cell) in cells.iter().enumerate() {
-            let case = grid.case(cell);
-            let vertical_locked = plan.locks_vertical(&case);
-            let mut laws = plan.laws_of(&case);
-            if vertical_locked {
-                laws = laws.without_vertical();
-            }
-            if let Some(part) = parts.iter_mut().find(|part| part.plan.laws == laws) {
-                part.cells.push(cell);
-                part.places.push(place);
-                continue;
-            }
-            let mut own = if vertical_locked { plan.without_vertical() } else { plan.clone() };
-            own.laws = laws;
-            parts.push(Part { plan: own, cells: vec![cell], places: vec![place], vertical_locked });
+        let mut part_of = |&(vertical_locked, laws): &(bool, Laws)| {
+            let laws = if vertical_locked { laws.without_vertical() } else { laws };
+            let known = parts.iter().position(|part| part.plan.laws == laws);
+            known.unwrap_or_else(|| {
+                let mut plan = if vertical_locked { plan.without_vertical() } else { plan.clone() };
+                plan.laws = laws;
+                parts.push(Part { plan, cells: Vec::new(), places: Vec::new(), vertical_locked });
+                parts.len() - 1
+            })
+        };
+        let of_entries: Vec<usize> = table.entries.iter().map(&mut part_of).collect();
+        if let [only] = &mut parts[..] {
+            (only.cells, only.places) = (cells.to_vec(), (0..cells.len()).collect());
+            return parts;
         }
-        // Parts without a locked direction come first.
+        for (number, &cell) in cells.iter().enumerate() {
+            let entry = table.index.of(&CellAt { number, place: grid.place(cell) });
+            let part = &mut parts[of_entries[entry]];
+            part.cells.push(cell);
+            part.places.push(number);
+        }
+        // The table may have combinations that no cell has. Parts without a locked direction come first.
+        parts.retain(|part| !part.cells.is_empty());
         parts.sort_by_key(|part| part.vertical_locked);
         parts
     }
@@ -83,5 +90,48 @@ impl Part {
         let mut all = Block::pending(count, block.precision());
         all.scatter(&self.places, &block);
         all
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::record::synthetic;
+    use crate::scene::{Excitation, Range, SceneBuilder, Values};
+
+    /// Of lists of all cells, of few and of scattered ones, in any order: each cell is in the part of its own model, at its place.
+    #[test]
+    fn each_cell_is_in_the_part_of_its_model() {
+        let pair = synthetic::pair();
+        let rigid = 0.2 * pair.dt;
+        let scene = SceneBuilder::object(1)
+            .with(Parameter::TH, Range::even(1.0, 3.0, 40))
+            .with(Parameter::TV, Range::even(0.1 * rigid, 4.0 * rigid, 41))
+            .with(Parameter::Psi, "0.1,0.5,1".parse::<Values>().unwrap())
+            .with(Parameter::BoucWenN, "2,3".parse::<Values>().unwrap())
+            .check_under(Excitation::Record(pair))
+            .unwrap();
+        let (plan, grid) = (Plan::new(&scene, 0.01).unwrap(), Grid::of(&scene));
+        let all: Vec<usize> = (0..grid.len()).collect();
+        let scattered: Vec<usize> = (0..90).map(|k| (k * 7919 + 13) % grid.len()).rev().collect();
+        for (cells, count) in [(all, 8), (scattered, 8), (vec![5, 3], 1), (Vec::new(), 0)] {
+            let parts = Part::of(&plan, &grid, &cells);
+            assert_eq!(parts.len(), count);
+            let mut places: Vec<usize> = Vec::new();
+            for part in &parts {
+                assert_eq!(part.plan.scene.isolation.moves_v(), !part.vertical_locked);
+                for (&cell, &place) in part.cells.iter().zip(&part.places) {
+                    let case = grid.case(cell);
+                    assert_eq!(
+                        (cells[place], part.vertical_locked),
+                        (cell, plan.locks_vertical(&case))
+                    );
+                    assert_eq!(part.plan.laws, part.plan.laws_of(&case));
+                }
+                places.extend(&part.places);
+            }
+            places.sort_unstable();
+            assert!(places.into_iter().eq(0..cells.len()));
+        }
     }
 }

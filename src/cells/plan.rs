@@ -13,6 +13,7 @@ use super::contact::motion_cache::MotionCache;
 use super::groups::{Drive, Groups, Horizontal, Steps, Vertical};
 use super::laws::Laws;
 use super::reader::Reader;
+use super::samples::Samples;
 use super::shortcuts::Shortcuts;
 use crate::model::asked::Asked;
 use crate::model::block::Model;
@@ -51,6 +52,8 @@ pub struct Plan {
     cycles: bool,
     /// The cache of full-contact motions, shared by all batches.
     pub(crate) motion_cache: Arc<MotionCache>,
+    /// The samples of the record, shared by all batches.
+    samples: Arc<Samples>,
 }
 
 impl Plan {
@@ -89,6 +92,7 @@ impl Plan {
             bodies,
             cycles,
             motion_cache,
+            samples: Arc::default(),
         };
         plan.laws = plan.laws_of(&scene.case());
         plan
@@ -176,15 +180,10 @@ impl Plan {
     }
 
     /// The samples of the record, or two zeros where there is none.
-    pub fn record<R: Real>(&self) -> Vec<Ground<R>> {
+    pub fn record<R: Real>(&self) -> Arc<Vec<Ground<R>>> {
         match &self.scene.excitation {
-            Excitation::Record(pair) => pair
-                .horizontal
-                .iter()
-                .zip(pair.vertical.iter())
-                .map(|(h, v)| Ground { h: R::of(*h), v: R::of(*v) })
-                .collect(),
-            Excitation::Pulse(_) => vec![Ground::zeroed(); 2],
+            Excitation::Record(pair) => self.samples.of(pair),
+            Excitation::Pulse(_) => Arc::new(vec![Ground::zeroed(); 2]),
         }
     }
 
@@ -268,9 +267,10 @@ impl Plan {
         Reader::of(case, self.asked).outcome(&self.clock(case), state)
     }
 
-    /// Frees the motions that its cells share, at the end of a sweep.
+    /// Frees the motions and the samples that its cells share, at the end of a sweep.
     pub fn forget(&self) {
         self.motion_cache.clear();
+        self.samples.clear();
     }
 
     /// Checks the steps that its cells take.

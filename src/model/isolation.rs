@@ -114,8 +114,11 @@ fn with_devices<R: Number>(
         f_v = f_v - set.cell.hardening_v * y.v * y.v * y.v;
     }
     if set.variant.follows {
-        let pressed = pressure(set, f_v, ground).max(zero);
-        f_h = pendulum_slope(set, y).mul_add(set.model.gravity - pressed, f_h);
+        let pressed = pressure(set, f_v, ground);
+        let held = pendulum_slope(set, y).mul_add(set.model.gravity - pressed, f_h);
+        // Without pressure the force is zero, and not the rounding error of a difference: where the contact force of the block
+        // vanishes, too, that error would decide about which corner it lifts.
+        f_h = R::select(pressed.gt(zero), held, -(set.cell.damping_h * y.du));
     }
     if let Some(side) = set.stop {
         f_h = f_h - *side * stop_force(set, *side, y);

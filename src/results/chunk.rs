@@ -20,6 +20,36 @@ use crate::stepping::outcome::Status;
 
 /// Largest file of a chunk that is read, bytes: twice the most that a chunk's numbers take.
 pub const LARGEST: u64 = 16 << 20;
+/// What is wrong with the file of a chunk.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum Fault {
+    /// There is none.
+    #[error("missing")]
+    Missing,
+    /// It is not as it was written.
+    #[error("damaged")]
+    Damaged,
+    /// It is whole, and a file of the same run, but not this one.
+    #[error("a file of another chunk or column")]
+    OtherFile,
+    /// It is whole, and of another run.
+    #[error("a chunk of another run")]
+    OtherRun,
+    /// It is whole, and has numbers of another type, or of another number of cells.
+    #[error("a chunk of another precision")]
+    OtherType,
+    /// Another file of its chunk has a fault.
+    #[error("its chunk is broken")]
+    OfItsChunk,
+}
+
+impl Fault {
+    /// True of a file that the run of the folder has not written: whoever put it there finds it again.
+    pub fn is_of_another_run(self) -> bool {
+        matches!(self, Fault::OtherRun | Fault::OtherType)
+    }
+}
+
 /// Bytes of the checksum.
 const SUM: usize = 4;
 
@@ -49,20 +79,37 @@ fn is_whole(packed: &[u8]) -> bool {
 /// Whether a file is whole, of the run of a tag, and the one that belongs to a path in its group.
 ///
 /// # Errors
-/// The fault, in a few words.
-pub fn check(packed: &[u8], tag: u32, path: &str) -> Result<(), &'static str> {
+/// The fault.
+pub fn check(packed: &[u8], tag: u32, path: &str) -> Result<(), Fault> {
     if !is_whole(packed) {
-        return Err("damaged");
+        return Err(Fault::Damaged);
     }
     let decoder = GzDecoder::new(packed);
     let of = decoder.header().and_then(|header| header.comment()).unwrap_or_default();
     match of == name(tag, path).as_bytes() {
         true => Ok(()),
-        false if of.starts_with(name(tag, "").as_bytes()) => {
-            Err("a file of another chunk or column")
-        }
-        false => Err("a chunk of another run"),
+        false if of.starts_with(name(tag, "").as_bytes()) => Err(Fault::OtherFile),
+        false => Err(Fault::OtherRun),
     }
+}
+
+/// The bytes that a whole file holds, as gzip says at its end: modulo 2^32, which no chunk has.
+pub(super) fn held(packed: &[u8]) -> Option<usize> {
+    let (_, sizes) = packed.split_last_chunk::<{ SUM + SUM }>()?;
+    let (size, _) = sizes.split_first_chunk::<SUM>()?;
+    usize::try_from(u32::from_le_bytes(*size)).ok()
+}
+
+/// The bytes of so many cells in an array of a column of a number type.
+pub(super) fn bytes_of(array: &str, column: Column, precision: Precision, cells: usize) -> usize {
+    if array == PROVED {
+        return cells;
+    }
+    cells
+        * with_column!(column, C => match precision {
+            Precision::F32 => size_of::<Stored<<C as ColumnType>::Value, f32>>(),
+            Precision::F64 => size_of::<Stored<<C as ColumnType>::Value, f64>>(),
+        })
 }
 
 /// So many bytes from a file; none where it is not whole, or has not as many.

@@ -15,6 +15,9 @@ use crate::scene::parameters::PARAMETERS;
 pub const IDENTITY: &str = "identity.json";
 /// Name of a finished shard's report.
 pub const REPORT: &str = "report.json";
+/// Name of the file of a shard with the samples of its record: of the horizontal ones and then of the vertical ones the eight
+/// bytes of each, the lowest first.
+pub const SAMPLES: &str = "samples.f64";
 /// Name of a map's group in a run's directory.
 pub const MAP: &str = "map.zarr";
 /// That of the leaves of a refined one.
@@ -62,7 +65,7 @@ pub fn is_motion(name: &str) -> bool {
 /// True of what a group has: documents and chunks of arrays, lists, and what tells a sweep.
 fn of_group(path: &[&str], is_folder: bool) -> bool {
     match path {
-        [name] if !is_folder => [DOCUMENT, IDENTITY, REPORT].contains(name),
+        [name] if !is_folder => [DOCUMENT, IDENTITY, REPORT, SAMPLES].contains(name),
         [name] => is_array(name) || is_lists(name),
         [array, DOCUMENT] => !is_folder && is_array(array),
         [array, CHUNKS, index @ ..] => {
@@ -205,8 +208,9 @@ mod tests {
         fs::write(path, name).unwrap();
     }
 
-    const OWN: [&str; 10] = [
+    const OWN: [&str; 11] = [
         "zarr.json",
+        "samples.f64",
         "identity.json",
         "report.json",
         "zeta/zarr.json",

@@ -4,11 +4,13 @@ use std::io::ErrorKind;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use super::chunk::Fault;
 use super::chunking::Chunking;
 use super::column_set::ColumnSet;
 use super::columns::{Column, of};
 use super::store_error::StoreError;
 use super::{block, chunk, zarr};
+use crate::model::precision::Precision;
 use crate::scene::bounded;
 use crate::work::parallel;
 
@@ -27,18 +29,19 @@ pub struct SavedChunks {
     /// Its whole chunks.
     pub chunks: Vec<SavedChunk>,
     /// Files that are not whole, and whose chunks are run again: each with what is wrong.
-    pub broken: Vec<(PathBuf, &'static str)>,
+    pub broken: Vec<(PathBuf, Fault)>,
 }
 
 impl SavedChunks {
-    /// The chunks in a folder of an identity's tag and the requested columns; `progress` hears of the cells of each.
+    /// The chunks in a folder of an identity's tag and the requested columns, in their number type; `progress` hears of the cells
+    /// of each.
     ///
     /// # Errors
     /// Errors of the disk.
     pub fn in_folder(
         folder: &Path,
         chunking: &Chunking,
-        of: (u32, ColumnSet),
+        of: (u32, ColumnSet, Precision),
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<SavedChunks, StoreError> {
         let find = |chunk| -> Result<_, StoreError> {
@@ -67,14 +70,14 @@ impl SavedChunks {
 
 /// A chunk in a folder: the cells of it that have run; or of one that is broken the files that must go, each
 /// with what is wrong, that of the status among them.
-type Chunk = Result<SavedChunk, Vec<(PathBuf, &'static str)>>;
+type Chunk = Result<SavedChunk, Vec<(PathBuf, Fault)>>;
 
 /// Finds a chunk in a folder, if its status is there.
 fn find(
     folder: &Path,
     chunking: &Chunking,
     chunk: usize,
-    (tag, columns): (u32, ColumnSet),
+    (tag, columns, precision): (u32, ColumnSet, Precision),
 ) -> Result<Option<Chunk>, StoreError> {
     let name = |array: &str| zarr::chunk_path(array, chunking, chunk);
     let path = |array: &str| folder.join(name(array));
@@ -83,14 +86,18 @@ fn find(
         return Ok(None);
     }
     let mut broken = Vec::new();
-    for (array, _) in zarr::columns(columns) {
+    for (array, column) in zarr::columns(columns) {
         let path = path(array);
         match bounded::read(&path, chunk::LARGEST) {
             Ok(bytes) => {
-                let problem = chunk::check(&bytes, tag, &name(array)).err();
-                broken.extend(problem.map(|what| (path, what)));
+                let count = chunk::bytes_of(array, column, precision, chunking.chunk_cells());
+                let fault = match chunk::check(&bytes, tag, &name(array)) {
+                    Ok(()) if chunk::held(&bytes) != Some(count) => Some(Fault::OtherType),
+                    checked => checked.err(),
+                };
+                broken.extend(fault.map(|fault| (path, fault)));
             }
-            Err(e) if e.kind() == ErrorKind::NotFound => broken.push((path, "missing")),
+            Err(e) if e.kind() == ErrorKind::NotFound => broken.push((path, Fault::Missing)),
             Err(e) => return Err(StoreError::file(&path)(e)),
         }
     }
@@ -111,10 +118,10 @@ fn find(
             let at = |run: Range<usize>| cells.start + run.start..cells.start + run.end;
             return Ok(Some(Ok(SavedChunk { chunk, done: done.into_iter().map(at).collect() })));
         }
-        broken.push((status.clone(), "damaged"));
+        broken.push((status.clone(), Fault::Damaged));
     }
     if broken.iter().all(|(path, _)| *path != status) {
-        broken.push((status, "its chunk is broken"));
+        broken.push((status, Fault::OfItsChunk));
     }
     Ok(Some(Err(broken)))
 }

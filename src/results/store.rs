@@ -23,14 +23,17 @@ use super::group::{self, ChunkFiles};
 use super::identity::Identity;
 use super::lock::{self, Holds, Lock, lock};
 use super::own::{self, Kind};
-pub use super::own::{IDENTITY, LISTS, REPORT};
+pub use super::own::{IDENTITY, LISTS, REPORT, SAMPLES};
 use super::rounds::Rounds;
 use super::saved_chunks::SavedChunks;
 use super::store_error::StoreError;
 use super::{chunk, temporary, zarr};
 use crate::model::precision::Precision;
+use crate::scene::record::Pair;
 use crate::scene::{Grid, bounded};
 
+/// Largest identity that is read, bytes: long lists of numbers may stand in it.
+pub const LARGEST_IDENTITY: u64 = 1 << 30;
 /// Name of a whole map's folder in a run's directory.
 const FOLDER: &str = "unfinished";
 /// The folders that a whole map's run makes in its directory and renames.
@@ -53,7 +56,9 @@ pub struct Store {
     identity: Identity,
     /// The files that every group has, but those of its chunks: paths and bytes.
     metadata: Vec<(String, Vec<u8>)>,
-    /// They are there.
+    /// The record of a shard: its samples are saved, because whoever joins shards has no scene with them.
+    record: Option<Pair>,
+    /// The metadata and the samples are there.
     has_metadata: AtomicBool,
     chunking: Chunking,
     precision: Precision,
@@ -97,6 +102,13 @@ impl Store {
             folder,
             path,
             metadata: group::metadata_files(contents.grid, documents, identity.tag()),
+            record: contents
+                .source
+                .scene
+                .excitation
+                .record()
+                .cloned()
+                .filter(|_| identity.shard().is_some()),
             has_metadata: AtomicBool::new(false),
             identity,
             chunking: Chunking::of(contents.grid),
@@ -114,12 +126,15 @@ impl Store {
         if !resume {
             return Err(StoreError::Unfinished(place));
         }
-        let text = bounded::read(&before, bounded::DOCUMENT).map_err(StoreError::file(&before))?;
+        let text = bounded::read(&before, LARGEST_IDENTITY).map_err(StoreError::file(&before))?;
         let text = String::from_utf8_lossy(&text);
         if let Some(difference) = store.identity.difference(&text) {
             return Err(StoreError::Other { place, difference });
         }
         let found = store.found()?;
+        if let Some((path, _)) = found.broken.iter().find(|(_, fault)| fault.is_of_another_run()) {
+            return Err(StoreError::NotOfThisRun(path.clone()));
+        }
         for (path, _) in &found.broken {
             own::gone(fs::remove_file(path)).map_err(StoreError::file(path))?;
         }
@@ -163,7 +178,7 @@ impl Store {
     /// # Errors
     /// Errors of the disk.
     pub fn found(&self) -> Result<SavedChunks, StoreError> {
-        let of = (self.identity.tag(), self.columns);
+        let of = (self.identity.tag(), self.columns, self.precision);
         SavedChunks::in_folder(&self.path, &self.chunking, of, &|_| ())
     }
 
@@ -190,6 +205,12 @@ impl Store {
         }
         if !self.has_metadata.load(Ordering::Relaxed) {
             self.write_metadata(|path| !self.path.join(path).exists())?;
+            if let Some(pair) = self.record.as_ref().filter(|_| !self.path.join(SAMPLES).exists()) {
+                let mut both = pair.horizontal.iter().chain(pair.vertical.iter());
+                self.folder.write(SAMPLES, |w| {
+                    both.try_for_each(|sample| w.write_all(&sample.to_le_bytes()))
+                })?;
+            }
             self.has_metadata.store(true, Ordering::Relaxed);
         }
         Ok(())
@@ -277,6 +298,8 @@ impl Store {
         report: &impl serde::Serialize,
         resumed: bool,
     ) -> Result<PathBuf, StoreError> {
+        // Somebody may have taken away what joining it needs.
+        self.begin()?;
         if !(resumed && self.path.join(REPORT).exists()) {
             self.folder.write(REPORT, |w| serde_json::to_writer_pretty(w, report))?;
         }

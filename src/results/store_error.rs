@@ -28,6 +28,9 @@ pub enum StoreError {
         /// What is different.
         difference: String,
     },
+    /// A chunk is there that the unfinished run did not write.
+    #[error("{0} is a chunk of another run; move it away, or give another directory")]
+    NotOfThisRun(PathBuf),
     /// A file cannot be read or written.
     #[error("{path}: {reason}")]
     File {

@@ -65,7 +65,7 @@ impl Tally {
             for (index, cell) in (first..).zip(block) {
                 tally.by_class[cell.class as usize] += 1;
                 if let Some(tensile) = &mut tally.tensile {
-                    *tensile += usize::from(cell.min_contact < 0.0);
+                    *tensile += usize::from(cell.loses_contact());
                 }
                 tally.proved += usize::from(cell.status == Status::Proved);
                 if let Some(sliding) = &mut tally.sliding {

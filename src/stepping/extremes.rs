@@ -41,7 +41,7 @@ pub struct Extremes<R> {
     pub base_load: R,
     /// Largest force of the end stop over M_t, m/s^2.
     pub stop_force: R,
-    /// How often the base met its end stop.
+    /// How often the end stop began to push the base.
     pub stop_hits: R,
 }
 
@@ -248,14 +248,18 @@ impl<N: Number> Extremes<N> {
         );
     }
 
-    /// Updates the largest force on the end stop of some lanes by that at the ends of a span of `h` seconds, and counts
-    /// those that have met it there.
+    /// Updates the largest force on the end stop of some lanes by that at the ends of a span of `h` seconds.
     #[inline(always)]
-    pub fn update_stop(&mut self, lanes: N::Mask, ends: [[N; 2]; 2], h: N, meets: N::Mask) {
+    pub fn update_stop(&mut self, lanes: N::Mask, ends: [[N; 2]; 2], h: N) {
         let [[force0, rate0], [force1, rate1]] = ends;
-        let (zero, one) = (h.like(0.0), h.like(1.0));
         self.stop_force = peak(lanes, self.stop_force, force0, rate0, force1, rate1, h);
-        self.stop_hits = self.stop_hits + N::select(lanes & meets, one, zero);
+    }
+
+    /// Counts the lanes whose end stop has begun to push.
+    #[inline(always)]
+    pub fn add_stop_hits(&mut self, lanes: N::Mask) {
+        let (zero, one) = (self.stop_hits.like(0.0), self.stop_hits.like(1.0));
+        self.stop_hits = self.stop_hits + N::select(lanes, one, zero);
     }
 
     /// Updates the extremes of some lanes by the contact forces at a span's start, middle and end, and by

@@ -2,13 +2,10 @@
 //! contact longer ones are as exact.
 //!
 //! In full contact u and v are not coupled, (5). u takes a step of Runge-Kutta, as long as its own period and law allow. The law
-//! of v is linear, and so is the ground's acceleration a(t) between two samples of a record. So v is a motion that is
-//! linear in time, and a free oscillation x'' + 2 xi omega x' + omega^2 x = 0, whose values at the end of a step are
-//! those at its start times a matrix:
-//!
-//! ```text
-//! v = 2 xi a'/omega^3 - a/omega^2 + x
-//! ```
+//! of v is linear, v'' + 2 xi omega v' + omega^2 v = -a(t), and so is the ground's acceleration a(t) between two samples of a
+//! record. So v and v' change in a step by a matrix times v, v' and a at the start and at the end of the step, which is exact.
+//! The matrix is of the *changes*: a base that swings slowly moves in a step by far less than a/omega^2, and a matrix with a 1 on
+//! its diagonal, or a motion in proportion to a/omega^2, would lose the changes in the rounding of f32.
 //!
 //! The guards are those of a [turn](super::turn). In a step in which one of them happens the cell does not move: it goes on by
 //! turns, in its own steps.
@@ -33,43 +30,107 @@ use crate::model::real::{Real, Vector};
 /// amplitude, and the parabola through the start, the middle and the end by 6e-5.
 pub const LONG_STEPS_A_PERIOD: f64 = 32.0;
 
-/// The matrix of a free oscillation of v over a step.
+/// The changes of v and v' over a step, from v, v' and the ground's acceleration at both ends of the step, to which each is
+/// proportional.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Swing<R> {
-    /// v at the end from v at the start.
+    /// Of v from v at the start.
     pub v_from_v: R,
-    /// v from v', s.
+    /// Of v from v', s.
     pub v_from_dv: R,
-    /// v' from v, 1/s.
+    /// Of v from the acceleration at the start, s^2.
+    pub v_from_start: R,
+    /// Of v from the acceleration at the end, s^2.
+    pub v_from_end: R,
+    /// Of v' from v, 1/s.
     pub dv_from_v: R,
-    /// v' from v'.
+    /// Of v' from v'.
     pub dv_from_dv: R,
+    /// Of v' from the acceleration at the start, s.
+    pub dv_from_start: R,
+    /// Of v' from the acceleration at the end, s.
+    pub dv_from_end: R,
 }
 
-reals!(Swing, 4, v_from_v v_from_dv dv_from_v dv_from_dv);
+reals!(
+    Swing, 8, v_from_v v_from_dv v_from_start v_from_end dv_from_v dv_from_dv dv_from_start dv_from_end
+);
+
+/// v after a unit impulse at the start of a time, and its first and second integral over this time.
+#[derive(Debug, Clone, Copy)]
+struct Impulse {
+    /// v, s.
+    response: f64,
+    /// Its integral, s^2.
+    once: f64,
+    /// The integral of that, s^3.
+    twice: f64,
+}
+
+/// Terms of the series of an impulse: the last one is below the rounding of f64 where the arguments are at most 1/2.
+const TERMS: i32 = 20;
+/// The most doublings: those of a time of 2^32 periods.
+const DOUBLINGS: i32 = 32;
+
+impl Impulse {
+    /// After `time` s with omega_v^2 and 2 xi_v omega_v: by a series over a time that is short enough, which is then doubled.
+    fn over(time: f64, stiffness: f64, damping: f64) -> Impulse {
+        let mut doublings = 0;
+        let mut short = time;
+        let is_long = |time: f64| damping * time > 0.5 || stiffness * time * time > 0.5;
+        while is_long(short) && doublings < DOUBLINGS {
+            short *= 0.5;
+            doublings += 1;
+        }
+        // The derivatives of the response at the start, times powers of the time: g'' = -2 xi omega g' - omega^2 g.
+        let (mut before, mut term) = (0.0, 1.0);
+        let (mut factorial, mut sums) = (1.0, [0.0; 3]);
+        for n in 1..=TERMS {
+            let n = f64::from(n);
+            factorial *= n;
+            let share = term / factorial;
+            sums[0] += share;
+            sums[1] += share / (n + 1.0);
+            sums[2] += share / ((n + 1.0) * (n + 2.0));
+            (before, term) = (term, -damping * short * term - stiffness * short * short * before);
+        }
+        let [response, once, twice] = sums;
+        let mut impulse = Impulse {
+            response: short * response,
+            once: short * short * once,
+            twice: short * short * short * twice,
+        };
+        for _ in 0..doublings {
+            let Impulse { response, once, twice } = impulse;
+            let speed = 1.0 - stiffness * once - damping * response;
+            // The motion goes on from v and v' at half of the time.
+            let from_v = [response + damping * once, once + damping * twice];
+            impulse = Impulse {
+                response: response * (speed + damping * response + speed),
+                once: once + response * from_v[0] + speed * once,
+                twice: twice + short * once + response * from_v[1] + speed * twice,
+            };
+            short *= 2.0;
+        }
+        impulse
+    }
+}
 
 impl<R: Real> Swing<R> {
-    /// That of a base with omega_v^2 and 2 xi_v omega_v, both zero where it does not move vertically, after `time` s.
+    /// That of a base with omega_v^2 and 2 xi_v omega_v, both zero where it does not move vertically, over `time` s.
     pub fn over(time: f64, stiffness: f64, damping: f64) -> Swing<R> {
-        let decay = 0.5 * damping;
-        // The square of the angle of the damped oscillation; negative where the base creeps back.
-        let square = (stiffness - decay * decay) * time * time;
-        let (even, odd) = if square >= 0.0 {
-            let (angle, fading) = (square.sqrt(), (-decay * time).exp());
-            // sin(x)/x is 1 to rounding where x is below 1e-8.
-            let share = if angle > 1.0e-8 { angle.sin() / angle } else { 1.0 };
-            (fading * angle.cos(), fading * share)
-        } else {
-            let angle = (-square).sqrt();
-            let (slow, fast) = ((angle - decay * time).exp(), (-angle - decay * time).exp());
-            (0.5 * (slow + fast), slow * -(-2.0 * angle).exp_m1() / (2.0 * angle))
-        };
-        let odd = time * odd;
+        let Impulse { response, once, twice } = Impulse::over(time, stiffness, damping);
+        // The share of the acceleration at the end grows evenly from 0 to 1.
+        let (v_from_end, dv_from_end) = (-twice / time, -once / time);
         Swing {
-            v_from_v: R::of(even + decay * odd),
-            v_from_dv: R::of(odd),
-            dv_from_v: R::of(-stiffness * odd),
-            dv_from_dv: R::of(even - decay * odd),
+            v_from_v: R::of(-stiffness * once),
+            v_from_dv: R::of(response),
+            v_from_start: R::of(-once - v_from_end),
+            v_from_end: R::of(v_from_end),
+            dv_from_v: R::of(-stiffness * response),
+            dv_from_dv: R::of(-stiffness * once - damping * response),
+            dv_from_start: R::of(-response - dv_from_end),
+            dv_from_end: R::of(dv_from_end),
         }
     }
 }
@@ -79,9 +140,7 @@ impl<R: Real> Swing<R> {
 pub struct LongSteps<R> {
     /// The number of its own steps in one.
     pub steps: R,
-    /// 1/omega_v^2, s^2.
-    pub compliance: R,
-    /// The free oscillation over a long step.
+    /// The motion of v over a long step.
     pub whole: Swing<R>,
     /// The same over the last step in a gap, which may be shorter.
     pub last: Swing<R>,
@@ -104,12 +163,7 @@ impl<R: Real> LongSteps<R> {
             rest => rest,
         };
         let over = |steps: u32| Swing::over(f64::from(steps) * step, stiffness, damping);
-        LongSteps {
-            steps: R::of(f64::from(steps)),
-            compliance: R::of(if stiffness > 0.0 { 1.0 / stiffness } else { 0.0 }),
-            whole: over(steps),
-            last: over(last),
-        }
+        LongSteps { steps: R::of(f64::from(steps)), whole: over(steps), last: over(last) }
     }
 }
 
@@ -117,15 +171,23 @@ impl<V: Vector> LongSteps<V> {
     /// No long steps in any lane.
     #[inline(always)]
     pub fn none(zero: V) -> LongSteps<V> {
-        let swing = Swing { v_from_v: zero, v_from_dv: zero, dv_from_v: zero, dv_from_dv: zero };
-        LongSteps { steps: zero.like(1.0), compliance: zero, whole: swing, last: swing }
+        let swing = Swing {
+            v_from_v: zero,
+            v_from_dv: zero,
+            v_from_start: zero,
+            v_from_end: zero,
+            dv_from_v: zero,
+            dv_from_dv: zero,
+            dv_from_start: zero,
+            dv_from_end: zero,
+        };
+        LongSteps { steps: zero.like(1.0), whole: swing, last: swing }
     }
 
     /// Puts the long steps of a cell on a lane.
     #[inline(always)]
     pub fn put(&mut self, lane: usize, of: &LongSteps<V::Element>) {
         self.steps.put(lane, of.steps);
-        self.compliance.put(lane, of.compliance);
         for (to, from) in self.whole.reals_mut().into_iter().zip(of.whole.reals()) {
             to.put(lane, from);
         }
@@ -172,21 +234,19 @@ fn step_h<V: Vector>(
     shift_h(y, mean, sixth)
 }
 
-/// v and v' after a step of `h` seconds from `y`.
+/// v and v' after a step from `y`, under these accelerations of the ground at its ends.
 #[inline(always)]
-fn step_v<V: Vector>(
-    set: &CellEquations<V>,
-    (swing, compliance): (&Swing<V>, V),
-    y: &Motion<V>,
-    h: V,
-    [start, end]: [V; 2],
-) -> [V; 2] {
-    let slope = -(compliance * (end - start)) / h;
-    let lag = -(set.cell.damping_v * compliance * slope);
-    let x = y.v - (lag - compliance * start);
-    let dx = y.dv - slope;
-    let v = lag - compliance * end + swing.v_from_v.mul_add(x, swing.v_from_dv * dx);
-    [v, slope + swing.dv_from_v.mul_add(x, swing.dv_from_dv * dx)]
+fn step_v<V: Vector>(swing: &Swing<V>, y: &Motion<V>, [start, end]: [V; 2]) -> [V; 2] {
+    let change = |from_v: V, from_dv: V, from_start: V, from_end: V| {
+        let by_ground = from_start.mul_add(start, from_end * end);
+        from_dv.mul_add(y.dv, from_v.mul_add(y.v, by_ground))
+    };
+    let Swing { v_from_v, v_from_dv, v_from_start, v_from_end, .. } = *swing;
+    let Swing { dv_from_v, dv_from_dv, dv_from_start, dv_from_end, .. } = *swing;
+    [
+        y.v + change(v_from_v, v_from_dv, v_from_start, v_from_end),
+        y.dv + change(dv_from_v, dv_from_dv, dv_from_start, dv_from_end),
+    ]
 }
 
 /// The lanes in which the block does not lift about a corner, by the parabola through its moments (14).
@@ -230,7 +290,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let (mut y1, mut halfway) = (*y, *y);
         if variant.isolated_v {
             let swing = long.last.zip(&long.whole, |last, whole| V::select(ends, last, whole));
-            [y1.v, y1.dv] = step_v(&set, (&swing, long.compliance), y, h, [start.v, end.v]);
+            [y1.v, y1.dv] = step_v(&swing, y, [start.v, end.v]);
         }
         if variant.isolated_h {
             let k1 = rates_h(&set, y, start);

@@ -124,7 +124,7 @@ pub struct Outcome {
     pub max_v: f64,
     /// Largest |v + g/omega_v^2|, m: from the static position.
     pub stroke_v: f64,
-    /// Least normal contact force over M, m/s^2; below zero the model is not valid, for it knows
+    /// Least normal contact force over M, m/s^2; at zero and below the model is not valid, for it knows
     /// no loss of contact.
     pub min_contact: f64,
     /// Largest |horizontal| / normal contact force, while the latter is positive: the friction
@@ -145,7 +145,7 @@ pub struct Outcome {
     pub base_load: f64,
     /// Largest force on the end stop, N.
     pub stop_force: f64,
-    /// How often the base met its end stop.
+    /// How often the end stop began to push the base.
     pub stop_hits: u32,
 }
 
@@ -181,6 +181,13 @@ impl Outcome {
     /// True where the block came to rest between impacts and lifted anew.
     pub fn rested(&self) -> bool {
         self.impacts > 0 && self.uplifts > 1
+    }
+
+    /// True where the base does not press on the block at some time, or would have to pull it: there the model is not valid. In free
+    /// fall the force is zero, not less. False where the force is not known, and of a cell without an outcome unless it is below zero.
+    pub fn loses_contact(&self) -> bool {
+        let none = self.min_contact <= 0.0 && self.class != Class::Unresolved;
+        none || self.min_contact < 0.0
     }
 
     /// True where the contact has a friction coefficient, and the motion asks for more.

@@ -57,7 +57,7 @@ pub struct State<R> {
     pub base_load: R,
     /// Largest force of the end stop over M_t, m/s^2.
     pub stop_force: R,
-    /// How often the base met its end stop.
+    /// How often the end stop began to push the base.
     pub stop_hits: R,
     /// Fraction of the step `uplift_step` at which the block first lifted.
     pub uplift_fraction: R,

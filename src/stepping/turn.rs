@@ -46,6 +46,12 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         self.extremes.update_accelerations(moved, [&start, &mid, &end]);
     }
 
+    /// The lanes whose base is not against its end stop.
+    #[inline(always)]
+    fn is_apart(&self) -> V::Mask {
+        self.start.like(0.0).ge(stop_side(&self.equations(), &self.y).abs())
+    }
+
     /// Every lane makes its trial; the lanes whose cell has ended, a bit each.
     #[inline(always)]
     pub(super) fn turn(&mut self) -> u64 {
@@ -169,7 +175,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             let set = self.equations();
             let ends = stop_ends(&set, (&self.y, &k1), (&y1, &k_end));
             let meets = zero.ge(self.stop.abs()) & stop_side(&set, &y1).abs().gt(zero);
-            self.extremes.update_stop(moved, ends, h, meets);
+            self.extremes.update_stop(moved, ends, h);
+            self.extremes.add_stop_hits(moved & meets);
         }
         if L::FORCES {
             self.log.feel(moved, [k1.contact(), stepped.mid, k_end.contact()]);
@@ -183,10 +190,18 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         }
         let mut proved = none;
         if V::any(switched) {
+            let mut apart = none;
+            if variant.asked.stops {
+                apart = switched & self.is_apart();
+            }
             let others = self.bounce(switched & !overturned) & self.running;
             let over = V::bits(overturned) & self.running;
             if others | over != 0 {
                 ended = self.settle(others, over);
+            }
+            if V::any(apart) {
+                // An impact changes u', and with it the force of the stop's damper: the push may begin there.
+                self.extremes.add_stop_hits(apart & !self.is_apart());
             }
             proved = switched;
         }

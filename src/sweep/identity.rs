@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 
 use super::settings::Method;
 use crate::backend::ready::Backend;
@@ -17,8 +18,8 @@ pub struct Content {
     version: String,
     /// The scene.
     pub scene: Scene,
-    /// The record's, which the scene only counts.
-    samples: Option<Samples>,
+    /// SHA-256 of the samples of the record, which the scene only counts.
+    samples: Option<String>,
     /// How it is computed.
     #[serde(flatten)]
     pub method: Method,
@@ -32,23 +33,18 @@ pub struct Content {
 /// Keys in which the shards of one map may differ.
 pub const MAY_DIFFER: [&str; 3] = ["backend", "adapter", "part"];
 
-/// A record's accelerations, m/s^2.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct Samples {
-    horizontal: Vec<f64>,
-    vertical: Vec<f64>,
+/// SHA-256 of the samples of a record as a file of a shard has them, in hexadecimal digits.
+fn checksum(horizontal: &[f64], vertical: &[f64]) -> String {
+    let mut sum = Sha256::new();
+    horizontal.iter().chain(vertical).for_each(|sample| sum.update(sample.to_le_bytes()));
+    sum.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 impl Content {
     /// Of a scene, or of a part of it, that a backend runs.
     pub fn new(scene: &Scene, backend: &Backend, method: &Method, shard: Option<Shard>) -> Content {
-        let samples = match &scene.excitation {
-            Excitation::Pulse(_) => None,
-            Excitation::Record(pair) => Some(Samples {
-                horizontal: pair.horizontal.to_vec(),
-                vertical: pair.vertical.to_vec(),
-            }),
-        };
+        let pair = scene.excitation.record();
+        let samples = pair.map(|pair| checksum(&pair.horizontal, &pair.vertical));
         Content {
             version: env!("CARGO_PKG_VERSION").into(),
             scene: scene.clone(),
@@ -60,19 +56,44 @@ impl Content {
         }
     }
 
-    /// Reads an identity as a run wrote it.
+    /// Reads an identity as a run wrote it; the samples of its record are not in it.
     ///
     /// # Errors
     /// Those of JSON: it is none, or another version's.
     pub fn read(text: &str) -> serde_json::Result<Content> {
-        let mut content: Content = serde_json::from_str(text)?;
-        if let (Excitation::Record(pair), Some(samples)) =
-            (&mut content.scene.excitation, &content.samples)
-        {
-            pair.horizontal = Arc::from(samples.horizontal.as_slice());
-            pair.vertical = Arc::from(samples.vertical.as_slice());
+        serde_json::from_str(text)
+    }
+
+    /// True where its record lacks its samples.
+    pub fn lacks_samples(&self) -> bool {
+        self.scene.excitation.record().is_some_and(|pair| pair.horizontal.is_empty())
+    }
+
+    /// Takes over the samples of its record from the bytes of a shard's file; false where they are others.
+    pub fn take_samples(&mut self, bytes: &[u8]) -> bool {
+        let (numbers, rest) = bytes.as_chunks::<{ size_of::<f64>() }>();
+        let both: Vec<f64> = numbers.iter().map(|number| f64::from_le_bytes(*number)).collect();
+        let (horizontal, vertical) = both.split_at(both.len() / 2);
+        let same = self.samples.as_ref() == Some(&checksum(horizontal, vertical));
+        let alike = rest.is_empty() && horizontal.len() == vertical.len();
+        if let (Excitation::Record(pair), true) = (&mut self.scene.excitation, same && alike) {
+            (pair.horizontal, pair.vertical) = (horizontal.into(), vertical.into());
         }
-        Ok(content)
+        same && alike
+    }
+
+    /// Takes over the samples of a record that is the same; false where there is none, or another one.
+    pub fn share_samples(&mut self, other: &Content) -> bool {
+        match (&mut self.scene.excitation, &other.scene.excitation) {
+            (Excitation::Record(pair), Excitation::Record(there))
+                if self.samples == other.samples =>
+            {
+                pair.horizontal = Arc::clone(&there.horizontal);
+                pair.vertical = Arc::clone(&there.vertical);
+                true
+            }
+            _ => false,
+        }
     }
 
     /// The same of the map that its shard is of.

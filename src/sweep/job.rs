@@ -12,7 +12,7 @@ use super::estimate::Estimate;
 use super::identity::Content;
 use super::map::MapSweep;
 use super::runner::{Runner, SHORTEST};
-use super::settings::{Method, RunSettings, Saving};
+use super::settings::{MEMORY, Method, RunSettings, Saving};
 use crate::backend::backend_error::BackendError;
 use crate::backend::ready::Backend;
 use crate::backend::report::{Report, threads};
@@ -22,6 +22,7 @@ use crate::model::precision::Precision;
 use crate::results::about::Source;
 use crate::results::block::Block;
 use crate::results::block::bytes_a_cell;
+use crate::results::chunk::Fault;
 use crate::results::chunking::Chunking;
 use crate::results::collector::{OutcomeCollector, Saver};
 use crate::results::outcomes::Outcomes;
@@ -165,7 +166,7 @@ impl Job {
     }
 
     /// Files of an earlier run that are damaged, each with what is wrong; their cells are run again.
-    pub fn broken(&self) -> &[(PathBuf, &'static str)] {
+    pub fn broken(&self) -> &[(PathBuf, Fault)] {
         self.saved.as_ref().map_or(&[], |(_, found)| &found.broken)
     }
 
@@ -240,6 +241,7 @@ impl Job {
         let lost = work.lost;
         let shards = vec![(None, report)];
         let repair = settings.method.repair;
+        let memory = settings.saving.as_ref().map_or(MEMORY, |saving| saving.memory);
         let mut sweep = MapSweep {
             plan,
             grid,
@@ -251,7 +253,7 @@ impl Job {
             verification: None,
             store,
         };
-        if repair && let Err(error) = sweep.repair(&opened.backends, observer) {
+        if repair && let Err(error) = sweep.repair(&opened.backends, memory, observer) {
             return Err(sweep.stopped(error));
         }
         Ok(SweepResult::Map(Box::new(sweep)))

@@ -5,7 +5,7 @@ use std::ops::Range;
 use serde::Serialize;
 
 /// How a map was repaired.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Repair {
     /// Cells that ran again: those beside a boundary.
     pub checked: usize,

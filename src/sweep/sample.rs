@@ -19,11 +19,11 @@ pub struct Chosen {
 }
 
 /// Goes through all cells and says of each whether a neighbour has another outcome. Only a few rows are in memory at a time.
-pub(crate) fn beside_boundary(
+pub(crate) fn beside_boundary<E: From<io::Error>>(
     grid: &Grid,
     outcomes: &dyn Outcomes,
-    mut tell: impl FnMut(usize, bool),
-) -> io::Result<()> {
+    mut tell: impl FnMut(usize, bool) -> Result<(), E>,
+) -> Result<(), E> {
     let (columns, rows) = grid.shape();
     let height = (BLOCK / columns).max(1);
     for first in (0..rows).step_by(height) {
@@ -34,7 +34,7 @@ pub(crate) fn beside_boundary(
             for i in 0..columns {
                 let cell = j * columns + i;
                 let class = |cell: usize| read[cell - below * columns].class;
-                tell(cell, grid.neighbours(cell).any(|other| class(other) != class(cell)));
+                tell(cell, grid.neighbours(cell).any(|other| class(other) != class(cell)))?;
             }
         }
     }
@@ -54,7 +54,10 @@ fn spread(length: usize, count: usize) -> impl Iterator<Item = usize> {
 /// Those of reading the outcomes.
 pub fn sample(grid: &Grid, outcomes: &dyn Outcomes, size: usize) -> io::Result<Vec<Chosen>> {
     let mut beside = 0;
-    beside_boundary(grid, outcomes, |_, is_beside| beside += usize::from(is_beside))?;
+    beside_boundary(grid, outcomes, |_, is_beside| {
+        beside += usize::from(is_beside);
+        Ok::<(), io::Error>(())
+    })?;
     let elsewhere = grid.len() - beside;
     let from_beside = (size / 2).max(size.saturating_sub(elsewhere)).min(beside);
     let mut places = [
@@ -68,6 +71,7 @@ pub fn sample(grid: &Grid, outcomes: &dyn Outcomes, size: usize) -> io::Result<V
             chosen.push((cell, beside_boundary));
         }
         seen[kind] += 1;
+        Ok::<(), io::Error>(())
     })?;
     let read = |(cell, beside_boundary)| {
         let outcome = outcomes.read(cell..cell + 1, &Column::ALL)?[0];

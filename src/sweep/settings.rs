@@ -200,7 +200,8 @@ pub struct Saving {
     pub resume: bool,
     /// Least time between two savings.
     pub every: Duration,
-    /// Number of bytes that the columns may take in memory. The finished cells of a larger map are only on disk.
+    /// Number of bytes that the columns may take in memory, and that the lists of a repair may take besides. The finished cells of
+    /// a larger map are only on disk.
     pub memory: u64,
     /// Run only this shard of the grid, and leave it in the directory.
     pub shard: Option<Shard>,
@@ -209,7 +210,7 @@ pub struct Saving {
 }
 
 /// Bytes that the columns of a map may take in memory by default.
-const MEMORY: u64 = 1 << 30;
+pub const MEMORY: u64 = 1 << 30;
 
 impl Saving {
     /// Saves a whole map in a directory every two seconds, nothing to resume.

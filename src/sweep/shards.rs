@@ -16,13 +16,13 @@ use crate::results::identity::Identity;
 use crate::results::reader::{ChunkReader, ShardFolder, missing};
 use crate::results::saved_chunks::SavedChunks;
 use crate::results::shard;
-use crate::results::store::{Contents, IDENTITY, REPORT, Store};
+use crate::results::store::{Contents, IDENTITY, LARGEST_IDENTITY, REPORT, SAMPLES, Store};
 use crate::results::store_error::StoreError;
 use crate::scene::{Excitation, Grid, bounded, shown};
 use crate::work::observer::Observer;
 
-/// Largest identity that is read, bytes: it has all samples of a record as text.
-const LARGEST_IDENTITY: u64 = 1 << 30;
+/// Largest file of samples that is read, bytes: more than both components of a record may have.
+const LARGEST_SAMPLES: u64 = 1 << 30;
 
 /// A finished shard.
 #[derive(Debug)]
@@ -52,10 +52,12 @@ impl Shards {
     /// # Errors
     /// [`ShardsError`].
     pub fn join(directories: &[PathBuf], observer: &dyn Observer) -> Result<Shards, ShardsError> {
-        let mut pieces = Vec::new();
+        let mut pieces: Vec<Piece> = Vec::new();
         for directory in directories {
             for place in folders(directory)? {
-                pieces.push(Piece::read(place, observer)?);
+                let first = pieces.first().map(|piece| &piece.content);
+                let piece = Piece::read(place, first, observer)?;
+                pieces.push(piece);
             }
         }
         let first = pieces.first().ok_or_else(|| ShardsError::None(PathBuf::new()))?;
@@ -118,7 +120,12 @@ impl Shards {
 }
 
 impl Piece {
-    fn read(place: PathBuf, observer: &dyn Observer) -> Result<Piece, ShardsError> {
+    /// Reads a shard; the samples of its record are those of the `first` shard, where both have the same.
+    fn read(
+        place: PathBuf,
+        first: Option<&Content>,
+        observer: &dyn Observer,
+    ) -> Result<Piece, ShardsError> {
         let text = |name: &str, most: u64| {
             let path = place.join(name);
             let bytes = bounded::read(&path, most).map_err(StoreError::file(&path))?;
@@ -129,7 +136,17 @@ impl Piece {
             reason: shown::line(&e.to_string()),
         };
         let written = text(IDENTITY, LARGEST_IDENTITY)?;
-        let content = Content::read(&written).map_err(|error| unreadable(IDENTITY, error))?;
+        let mut content = Content::read(&written).map_err(|error| unreadable(IDENTITY, error))?;
+        if content.lacks_samples() && !first.is_some_and(|first| content.share_samples(first)) {
+            let path = place.join(SAMPLES);
+            let bytes = bounded::read(&path, LARGEST_SAMPLES).map_err(StoreError::file(&path))?;
+            if !content.take_samples(&bytes) {
+                let reason = "these are not the samples of the record that its identity names; remove the file, and run its shard \
+                              again with `resume`";
+                let reason = reason.into();
+                return Err(ShardsError::Unreadable { place: path, reason });
+            }
+        }
         // What a run has written was checked; what is there may be another's.
         content.scene.check().map_err(|error| ShardsError::Unreadable {
             place: place.join(IDENTITY),
@@ -137,13 +154,16 @@ impl Piece {
         })?;
         let identity = Identity::new(written, content.shard);
         let grid = Grid::of(&content.scene);
-        let of = (identity.tag(), content.method.columns);
+        let of = (identity.tag(), content.method.columns, content.columns());
         let found = SavedChunks::in_folder(&place, &Chunking::of(&grid), of, &|cells| {
             observer.advance(cells)
         })?;
         let done = found.done();
         if let Some((place, reason)) = found.broken.into_iter().next() {
-            return Err(ShardsError::Broken { place, reason });
+            return Err(match reason.is_of_another_run() {
+                true => ShardsError::Foreign { place, reason },
+                false => ShardsError::Broken { place, reason },
+            });
         }
         let cells = content.shard.map_or(0..grid.len(), |shard| shard.cells(grid.len()));
         if let Some(cells) = missing(&done, &cells).first() {

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::results::chunk::Fault;
 use crate::results::store_error::StoreError;
 
 /// Why shards are no map.
@@ -25,7 +26,15 @@ pub enum ShardsError {
         /// The chunk's file.
         place: PathBuf,
         /// What is wrong.
-        reason: &'static str,
+        reason: Fault,
+    },
+    /// A chunk that the run of the shard's folder has not written.
+    #[error("{place}: {reason}; give the folder as that run left it")]
+    Foreign {
+        /// The chunk's file.
+        place: PathBuf,
+        /// What it is.
+        reason: Fault,
     },
     /// A part of something else.
     #[error("{place} is no part of the same map as {first}: {difference}")]

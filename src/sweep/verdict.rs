@@ -10,6 +10,9 @@ use crate::sweep::verification::{Difference, Verdict, Verification, ZETA_OFF};
 pub fn agreement(v: &Verification, within: Duration) -> String {
     let left_out = match v.chosen - v.sampled {
         0 => String::new(),
+        _ if within == Duration::MAX => {
+            format!(" of {}, the reference gave the others up", v.chosen)
+        }
         _ => format!(" of {}, as many as {} s allowed", v.chosen, within.as_secs()),
     };
     let unresolved = match v.unresolved {

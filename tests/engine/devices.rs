@@ -1,18 +1,24 @@
 //! The laws of devices against closed forms, by fixed steps and by the reference.
 
+use rayon::prelude::*;
 use topple::backend::cpu;
+use topple::backend::gpu::run::Sweeper;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::model::asked::Asked;
 use topple::model::precision::Precision;
 use topple::model::pulse::Shape;
 use topple::scene::device_numbers::DeviceNumbers;
-use topple::scene::{Directions, GRAVITY, Grid, Parameter as P, Pressure, Scene, SceneBuilder};
+use topple::scene::{
+    Case, Directions, Excitation, GRAVITY, Grid, Parameter as P, Pressure, Range, Scene,
+    SceneBuilder,
+};
 use topple::stepping::outcome::{Class, Outcome, Status};
-use topple::stepping::reference::{self, Settings};
+use topple::stepping::reference::system::{DU, State, U};
+use topple::stepping::reference::{self, Settings, Switch};
 use topple::work::observer::Unwatched;
 
-use crate::common::all;
+use crate::common::{all, gpu, say, synthetic_pair};
 
 /// Masses of the block and of each plate, kg.
 const BLOCK: f64 = 900.0;
@@ -290,4 +296,148 @@ fn hits_to_come_are_counted() {
     near(cell.stop_force, truth.stop_force, 1.0e-6, "force");
     // Once the stop is out of reach the cell ends.
     assert_eq!(cell.status, Status::Proved, "{cell:?}");
+}
+
+/// The damper of an end stop pushes while the base moves towards it: beyond the gap, a base that moves back fast enough is not
+/// pushed, and an impact of the block, which changes u', can begin a push. The count is that of the reference in all cells in which
+/// the reference's does not depend on its tolerance, on its rest speed, or on a ten-millionth of the block's width.
+#[test]
+fn a_push_that_an_impact_begins_is_counted() {
+    let (mut compared, mut of_impacts) = (0, 0);
+    for (plate, rate) in [(50.0, 40.0_f64), (5.0, 25.0)] {
+        let scene = SceneBuilder { force: true, ..SceneBuilder::default() }
+            .isolated(Directions::Horizontal)
+            .with(P::HalfWidth, 0.4)
+            .with(P::Height, 1.0)
+            .with(P::Mass, BLOCK)
+            .with(P::PlateH, plate)
+            .with(P::TH, 2.0)
+            .with(P::Psi, 1.0)
+            .with(P::XiH, 0.05)
+            .with(P::StopGap, Range::even(0.01, 0.1, 6))
+            .with(P::StopStiffness, (BLOCK + plate) * rate * rate)
+            .with(P::StopXi, Range::even(0.1, 0.9, 3))
+            .with(P::Scale, Range::even(0.6, 2.0, 4))
+            .check_under(Excitation::Record(synthetic_pair()))
+            .unwrap();
+        let grid = Grid::of(&scene);
+        let asked = Asked { stops: true, ..Asked::ALL };
+        let plan = Plan::new(&scene, DEFAULT_STEP).unwrap().at(Precision::F64).asking(asked);
+        let mut ways =
+            vec![("cpu", cpu::sweep(Precision::F64, &plan, &grid, &all(&grid), &Unwatched))];
+        if let Some(gpu) = gpu("stop hits", Precision::F64) {
+            let sweeper = Sweeper::new(&gpu, Precision::F64, plan.variant()).unwrap();
+            let swept = sweeper.sweep::<f64>(&plan, &grid, &all(&grid), &Unwatched).unwrap();
+            ways.push(("shader", swept.block.to_outcomes()));
+        }
+        let wanted = |index: usize| {
+            let case = grid.case(index);
+            let hits = |case: &Case, settings| {
+                let cell = reference::run(&scene, case, &settings);
+                (cell.class, cell.stop_hits)
+            };
+            let one = hits(&case, Settings::default());
+            let mut wider = case;
+            wider.block.half_width *= 1.0 + 1.0e-7;
+            let (tolerance, rest_speed) = (1.0e-12, 1.0e-3);
+            let other = Settings { tolerance, rest_speed, ..Settings::default() };
+            let same = one == hits(&case, other) && one == hits(&wider, Settings::default());
+            same.then(|| (one, begun_by_impacts(&scene, &case)))
+        };
+        let wanted: Vec<_> = (0..grid.len()).into_par_iter().map(wanted).collect();
+        for (index, wanted) in wanted.into_iter().enumerate() {
+            let Some((wanted, begun)) = wanted.filter(|(of, _)| of.0 == Class::Rocking) else {
+                continue;
+            };
+            for (way, cells) in &ways {
+                let cell = &cells[index];
+                let what = format!("{way}, {plate}, cell {index}: {begun} by impacts");
+                assert_eq!((cell.class, cell.stop_hits), wanted, "{what}");
+            }
+            compared += 1;
+            of_impacts += u32::from(begun > 0);
+        }
+    }
+    say(&format!(
+        "stop hits: {compared} cells compared, {of_impacts} with pushes that impacts begin"
+    ));
+    assert!(compared >= 20 && of_impacts >= 5, "{compared} {of_impacts}");
+}
+
+/// The pushes that begin at impacts, by the reference.
+fn begun_by_impacts(scene: &Scene, case: &Case) -> u32 {
+    let stop = case.isolation.stop.unwrap();
+    let pushed = |y: &State| {
+        let (side, depth) = (y[U].signum(), y[U].abs() - stop.gap);
+        depth > 0.0 && stop.stiffness * depth + stop.damping * side * y[DU] > 0.0
+    };
+    let (mut begun, mut before) = (0, false);
+    reference::observe(scene, case, &Settings::default(), &mut |instant| {
+        let now = pushed(instant.y);
+        // What is seen last before an impact is the end of the step before; a push that begins in the step cuts it.
+        begun += u32::from(matches!(instant.switch, Some(Switch::Impact(_))) && now && !before);
+        before = now;
+    });
+    begun
+}
+
+/// The ground falls faster than the block: nothing presses on the pendulum, and its force is zero. The moments of both corners then
+/// pass zero at the same instant, and the larger one, that of the longer arm, decides; for equal arms the left one. Rounding does
+/// not. Such a cell loses its contact, and is marked.
+#[test]
+fn a_block_in_free_fall_lifts_about_its_longer_arm() {
+    for (isolation, a_v) in [(Directions::Dual, -12.0), (Directions::Horizontal, -12.0)] {
+        for (eccentricity, class) in [
+            (0.3, Class::OverturnedLeft),
+            (-0.3, Class::OverturnedRight),
+            (0.0, Class::OverturnedLeft),
+        ] {
+            let mut scene = SceneBuilder { force: true, ..SceneBuilder::default() }
+                .isolated(isolation)
+                .pulse(Shape::Rectangle)
+                .with(P::HalfWidth, 0.3)
+                .with(P::Height, 1.0)
+                .with(P::Eccentricity, eccentricity)
+                .with(P::Mass, 500.0)
+                .with(P::PlateH, 20.0)
+                .with(P::PlateV, 20.0)
+                .with(P::Radius, 1.5)
+                .with(P::Mu, 0.06)
+                .with(P::Omega, 4.0)
+                .with(P::AH, Range::even(0.1, 2.0, 16))
+                .with(P::AV, a_v)
+                .with(P::TMax, 3.0);
+            if isolation == Directions::Dual {
+                scene = scene.with(P::TV, 0.5);
+            }
+            let scene = scene.check().unwrap();
+            let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
+            for precision in [Precision::F32, Precision::F64] {
+                let plan = plan.at(precision);
+                let cells = cpu::sweep(precision, &plan, &grid, &all(&grid), &Unwatched);
+                for cell in cells {
+                    assert_eq!(
+                        cell.class, class,
+                        "{isolation:?}, {eccentricity}, {precision:?}: {cell:?}"
+                    );
+                    assert!(cell.loses_contact());
+                }
+            }
+            let truth = reference::run(&scene, &grid.case(3), &Settings::default());
+            assert_eq!(truth.class, class, "{isolation:?}, {eccentricity}: {truth:?}");
+            assert!(truth.loses_contact());
+        }
+    }
+}
+
+/// The ground falls as fast as the block: no moment lifts it, and no contact force is left. The cell is marked.
+#[test]
+fn a_block_without_weight_stays_and_is_marked() {
+    let scene = low(Directions::Horizontal, (1.0, -GRAVITY), 0.3, 1.0)
+        .with(P::Radius, 1.5)
+        .with(P::Mu, 0.06);
+    for cell in both(&scene) {
+        assert_eq!(cell.min_contact, 0.0);
+        assert!(cell.loses_contact());
+    }
 }

@@ -152,6 +152,48 @@ fn what_is_saved_is_resumed() {
     }
 }
 
+/// A run under a record of a million samples goes on where it was ended: what it says of itself is a few kilobytes, whatever the
+/// record holds, and tells the samples apart.
+#[test]
+fn a_run_under_a_long_record_is_resumed() {
+    let _alone = alone();
+    let samples = |factor: f64| -> Vec<f64> {
+        (0..1_000_000).map(|k| factor * (0.01 * f64::from(k)).sin() / 3.0).collect()
+    };
+    let shaken = |factor: f64| {
+        let text =
+            "[block]\nobject = 1\n[base]\nisolation = \"none\"\n[pulse]\nomega = 5\na_h = 1\n";
+        // Most of the cells overturn within seconds, of a hundred.
+        let scene = crate::common::scene(text);
+        let mut scene = crate::common::shaken(scene, 1.0e-4, samples(factor));
+        scene.set(Parameter::Scale, "0.1:400:72".parse::<topple::scene::Range>().unwrap());
+        scene
+    };
+    let out = TempDir::new().unwrap();
+    let mut settings = settings();
+    settings.verify = VerifySettings::cells(0);
+    let saving = Saving { every: Duration::ZERO, resume: true, ..Saving::to(out.path()) };
+    settings.saving = Some(saving);
+    let scene = shaken(1.0);
+    let Err(error) = sweep(&scene, &[], &settings, &Ear::ending_at(1)) else { panic!() };
+    let SweepError::Stopped { saved, .. } = error else { panic!("{error}") };
+    assert!(saved > 0 && saved < 72, "{saved}");
+    let identity = fs::metadata(out.path().join("unfinished/identity.json")).unwrap();
+    assert!(identity.len() < 10_000, "{} bytes", identity.len());
+    // One sample in the last digit.
+    let mut other = samples(1.0);
+    other[777_777] = f64::from_bits(other[777_777].to_bits() + 1);
+    let mut another = scene.clone();
+    another = crate::common::shaken(another, 1.0e-4, other);
+    let Err(error) = sweep(&another, &[], &settings, &Unwatched) else { panic!() };
+    assert!(error.to_string().contains("samples is"), "{error}");
+    let ear = Ear::ending_at(usize::MAX);
+    let mut map = sweep(&scene, &[], &settings, &ear).unwrap();
+    assert_eq!(*ear.phases.lock().unwrap(), [(Phase::Sweeping, 72 - saved)]);
+    assert_eq!(map.shards[0].1.resumed_cells, saved);
+    map.discard_saved().unwrap();
+}
+
 /// A verification without time says that nothing is verified; the map is there.
 #[test]
 fn a_verification_keeps_to_its_time() {

@@ -160,7 +160,7 @@ pub fn run_cell(scene: &Scene, more: &MoreColumns, options: &RunOptions) -> anyh
     if outcome.class.stands() {
         words::warn_of_radius(None, scene.numbers.get(Parameter::Radius), outcome.max_u);
     }
-    if outcome.min_contact < 0.0 {
+    if outcome.loses_contact() {
         words::warn(words::TENSILE);
     }
     let svg = figure::draw(scene, &case, &rows, &outcome, print)?;

@@ -10,6 +10,7 @@ use topple::results::earlier::Kind;
 use topple::results::size::FileSizes;
 use topple::scene::Grid;
 use topple::sweep::map::MapSweep;
+use topple::sweep::settings::MEMORY;
 use topple::sweep::shards::Shards;
 use topple_pictures::map::thinned::thinned;
 
@@ -120,7 +121,7 @@ impl MergeCommand {
             let opened = request.open(map.method.precision, &[]);
             let opened = opened.map_err(|error| sweep_error(error.into()))?;
             if map.method.repair {
-                let repaired = map.repair(&opened.backends, &screen);
+                let repaired = map.repair(&opened.backends, MEMORY, &screen);
                 repaired.map_err(|error| sweep_error(map.stopped(error)))?;
             }
             refined =

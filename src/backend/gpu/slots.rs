@@ -76,7 +76,7 @@ pub struct Flight {
     pub clock: Option<(QuerySet, Buffer)>,
 }
 
-/// A buffer of a given number of bytes, four bytes at least.
+/// A buffer of at least a given number of bytes.
 pub fn buffer(gpu: &OpenDevice, label: &str, size: u64, usage: BufferUsages) -> Buffer {
     gpu.device.create_buffer(&BufferDescriptor {
         label: Some(label),

@@ -264,7 +264,6 @@ mod tests {
     use crate::cells::contact::motions::LOWER;
     use crate::cells::contact::shared_motion::Start;
     use crate::cells::plan::Plan;
-    use crate::model::excitation::Ground;
     use crate::model::isolation::Variant;
     use crate::scene::record::synthetic;
     use crate::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
@@ -288,7 +287,7 @@ mod tests {
     /// waits, and what is kept is the same.
     fn each_is_what_it_is_alone<R: Real>(scene: &Scene, direction: Direction) {
         let plan = Plan::new(scene, 0.01).unwrap();
-        let record: Vec<Ground<R>> = plan.record();
+        let record = plan.record::<R>();
         let alone = match direction {
             Direction::Horizontal => plan.without_vertical(),
             Direction::Vertical => plan.without_horizontal(),

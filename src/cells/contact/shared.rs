@@ -94,7 +94,7 @@ mod tests {
             .check()
             .unwrap();
         let plan = Plan::new(&scene, 0.01).unwrap();
-        let record: Vec<Ground<f32>> = plan.record();
+        let record = plan.record::<f32>();
         let cells: Vec<usize> = (0..64).collect();
         let grid = || Grid::of(&scene);
         let motions = || shared_motions(&plan.clone(), (&grid(), &cells), &record, &Unwatched);
@@ -116,7 +116,7 @@ mod tests {
             .check()
             .unwrap();
         let (plan, grid) = (Plan::new(&scene, 0.01).unwrap(), Grid::of(&scene));
-        let record: Vec<Ground<f32>> = plan.record();
+        let record = plan.record::<f32>();
         let motions = |cells: &[usize]| shared_motions(&plan, (&grid, cells), &record, &Unwatched);
         let counts = |cells: &[usize]| {
             let motions = motions(cells);

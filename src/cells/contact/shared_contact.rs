@@ -207,7 +207,6 @@ mod tests {
     use crate::cells::clock::DEFAULT_STEP;
     use crate::cells::plan::Plan;
     use crate::cells::ready::Cells;
-    use crate::model::excitation::Ground;
     use crate::scene::record::synthetic;
     use crate::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
     use crate::work::observer::Unwatched;
@@ -216,7 +215,7 @@ mod tests {
     /// of the friction demand, are the same as those of a search of every gap.
     fn nothing_is_left_out<R: Real>(scene: &Scene) {
         let (plan, grid) = (Plan::new(scene, DEFAULT_STEP).unwrap(), Grid::of(scene));
-        let record: Vec<Ground<R>> = plan.record();
+        let record = plan.record::<R>();
         let cells: Vec<usize> = (0..grid.len()).collect();
         let all = Cells::<R>::of(&plan, &grid, &cells, &record, &Unwatched);
         let of = R::of;

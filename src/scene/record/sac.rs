@@ -110,7 +110,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Raw, RecordError> {
         true => f32::from_le_bytes(*word),
         false => f32::from_be_bytes(*word),
     };
-    // The shortest decimal of 32 bits says no more than the file does.
+    // A number of 32 bits is one of 64 bits without loss.
     let values: Vec<f64> = words.iter().take(count).map(|word| f64::from(sample(word))).collect();
     if let Some(wrong) = values.iter().position(|value| !value.is_finite()) {
         return refused(format!("sample {} is not a finite number; fill the gap in", wrong + 1));

@@ -276,6 +276,14 @@ impl System {
         (f_h, if self.moves_v { self.spring_v(y) } else { 0.0 })
     }
 
+    /// The force on the slider without the rotation of the block: the plate m_h and the masses above it, under the force
+    /// of the vertical spring and the acceleration of the ground. Negative where nothing presses.
+    fn pressure_at_rest(&self, f_v: f64, vg: f64) -> f64 {
+        let total_v = self.mass + self.plate_v;
+        let above = if self.moves_v { f_v } else { total_v * (GRAVITY + vg) };
+        self.plate_h * (GRAVITY + vg) + above
+    }
+
     /// Accelerations of u, v and phi.
     pub fn accelerations(&self, phase: Phase, t: f64, drive: Drive, y: &State) -> Vector3<f64> {
         let (ug, vg) = self.ground(t, drive);
@@ -283,9 +291,7 @@ impl System {
         let total_h = self.mass + self.plate_h + self.plate_v;
         let total_v = self.mass + self.plate_v;
         let m = self.mass;
-        // The force on the slider without the rotation of the block: the plate m_h and the masses above it.
-        let above = if self.moves_v { f_v } else { total_v * (GRAVITY + vg) };
-        let pressure = self.plate_h * (GRAVITY + vg) + above;
+        let pressure = self.pressure_at_rest(f_v, vg);
         let slope = if self.pressed { self.slope(y) } else { 0.0 };
         let mut right = Vector3::new(f_h - total_h * ug, f_v - total_v * (vg + GRAVITY), 0.0);
         let Some(pole) = phase else {
@@ -373,7 +379,14 @@ impl System {
     fn pushes(&self, t: f64, drive: Drive, y: &State) -> (f64, f64) {
         let (ug, vg) = self.ground(t, drive);
         let a = self.accelerations(None, t, drive, y);
-        (a[0] + ug, a[1] + vg + GRAVITY)
+        let mut x = a[0] + ug;
+        if self.pressed && self.moves_h {
+            // (5a) itself: a slider without pressure does not push, and the rounding error of a sum would.
+            let (f_h, f_v) = self.forces(y);
+            let push = self.slope(y) * self.pressure_at_rest(f_v, vg).max(0.0);
+            x = (f_h - push) / (self.mass + self.plate_h + self.plate_v);
+        }
+        (x, a[1] + vg + GRAVITY)
     }
 
     /// (14) about a corner: the left side minus the right side, m/s^2; positive where the block lifts.

@@ -160,7 +160,7 @@ fn base(dice: &mut Dice, body: &Body, directions: &str, points: u32) -> String {
     }
     if ["dual", "vertical"].contains(&directions) {
         let points = if directions == "dual" { points } else { points * points };
-        text += &format!("t_v = {}\n", period(dice, (0.12, 2.0), points));
+        text += &format!("t_v = {}\n", period(dice, (0.12, 30.0), points));
         let xi_v = if dice.chance(0.1) { 0.0 } else { dice.within(0.0, 0.4) };
         text += &format!("xi_v = {xi_v:?}\n");
         if dice.chance(0.2) {

@@ -13,7 +13,7 @@ use topple::backend::ready::Backend;
 use topple::model::precision::Precision;
 use topple::results::about::Source;
 use topple::results::block::Block;
-use topple::results::chunk::{check, decode_all, encode, pack, unpack};
+use topple::results::chunk::{Fault, check, decode_all, encode, pack, unpack};
 use topple::results::chunking::Chunking;
 use topple::results::collector::{OutcomeCollector, Saver};
 use topple::results::column_set::ColumnSet;
@@ -132,11 +132,11 @@ fn a_damaged_chunk_is_refused() {
         for bit in 0..8 * bytes.len() {
             let mut damaged = bytes.clone();
             damaged[bit / 8] ^= 1 << (bit % 8);
-            assert_eq!(check(&damaged, 7, array), Err("damaged"), "{array}: bit {bit} passes");
+            assert_eq!(check(&damaged, 7, array), Err(Fault::Damaged), "{array}: bit {bit} passes");
         }
         assert!(check(&[&bytes[..], &[0]].concat(), 7, array).is_err());
-        assert_eq!(check(&bytes, 8, array), Err("a chunk of another run"));
-        assert_eq!(check(&bytes, 7, "other"), Err("a file of another chunk or column"));
+        assert_eq!(check(&bytes, 8, array), Err(Fault::OtherRun));
+        assert_eq!(check(&bytes, 7, "other"), Err(Fault::OtherFile));
     }
 }
 
@@ -280,18 +280,20 @@ fn leftovers_are_removed() {
     assert_eq!(names, mine);
 }
 
-/// A chunk of which one file is damaged, gone or another run's is run again, the others are not.
+/// A chunk of which one file is damaged or gone is run again, the others are not.
 #[test]
 fn a_damaged_chunk_is_run_again() {
-    type Fault = fn(&mut Vec<u8>) -> bool;
-    let turned: Fault = |bytes| {
+    type Change = fn(&mut Vec<u8>) -> bool;
+    let turned: Change = |bytes| {
         bytes[20] ^= 1;
         true
     };
-    let removed: Fault = |_| false;
-    for (array, fault, said) in
-        [("zeta", turned, "damaged"), ("status", turned, "damaged"), ("proved", removed, "missing")]
-    {
+    let removed: Change = |_| false;
+    for (array, change, fault) in [
+        ("zeta", turned, Fault::Damaged),
+        ("status", turned, Fault::Damaged),
+        ("proved", removed, Fault::Missing),
+    ] {
         let out = TempDir::new().unwrap();
         let (store, _) = open(out.path(), &scene(0.2), Precision::F32, false).unwrap();
         save(&store, 0);
@@ -299,14 +301,37 @@ fn a_damaged_chunk_is_run_again() {
         drop(store);
         let path = out.path().join("unfinished").join(array).join("c/1/0");
         let mut bytes = fs::read(&path).unwrap();
-        match fault(&mut bytes) {
+        match change(&mut bytes) {
             true => fs::write(&path, bytes).unwrap(),
             false => fs::remove_file(&path).unwrap(),
         }
         let (_store, found) = open(out.path(), &scene(0.2), Precision::F32, true).unwrap();
         assert_eq!(missing(&found.done(), &(65_000..70_000)), vec![65_000..70_000; 1]);
         assert_eq!(missing(&found.done(), &(0..12)), vec![4..8; 1]);
-        assert!(found.broken.contains(&(path.clone(), said)) && !path.exists(), "{array}");
+        assert!(found.broken.contains(&(path.clone(), fault)) && !path.exists(), "{array}");
+    }
+}
+
+/// A chunk that another run wrote is not taken for one that is damaged: the run is refused, and the chunk stays. The same holds
+/// for one that is of the run, and has numbers of another type.
+#[test]
+fn a_chunk_of_another_run_stays() {
+    for same_run in [false, true] {
+        let out = TempDir::new().unwrap();
+        let (store, _) = open(out.path(), &scene(0.2), Precision::F32, false).unwrap();
+        save(&store, 0);
+        let tag = if same_run { store.tag() } else { store.tag() ^ 1 };
+        drop(store);
+        let path = out.path().join("unfinished/zeta/c/0/0");
+        // 65,000 numbers of f32, or of f64.
+        let count = if same_run { 8 * 65_000 } else { 4 * 65_000 };
+        let foreign = pack(&vec![0; count], tag, "zeta/c/0/0");
+        fs::write(&path, &foreign).unwrap();
+        match open(out.path(), &scene(0.2), Precision::F32, true) {
+            Err(StoreError::NotOfThisRun(place)) => assert_eq!(place, path),
+            other => panic!("{:?}", other.map(|(_, found)| found)),
+        }
+        assert_eq!(fs::read(&path).unwrap(), foreign);
     }
 }
 

@@ -73,7 +73,13 @@ fn method() -> Method {
     }
 }
 
-/// A scene that went through an identity's text is the scene, to the last bit, with its record.
+/// The bytes of a shard's file of samples.
+fn samples(scene: &Scene) -> Vec<u8> {
+    let pair = scene.excitation.record().unwrap();
+    pair.horizontal.iter().chain(pair.vertical.iter()).flat_map(|a| a.to_le_bytes()).collect()
+}
+
+/// A scene that went through an identity's text is the scene, to the last bit; the samples of its record are in a file beside it.
 #[test]
 fn a_scene_comes_back_from_its_identity() {
     let mut shaken = scene();
@@ -85,7 +91,19 @@ fn a_scene_comes_back_from_its_identity() {
     for scene in [scene(), shaken, odd] {
         let shard = Some("2/5".parse().unwrap());
         let content = Content::new(&scene, &Backend::Cpu, &method(), shard);
-        let read = Content::read(content.identity().unwrap().text()).unwrap();
+        let mut read = Content::read(content.identity().unwrap().text()).unwrap();
+        assert_eq!(read.lacks_samples(), scene.excitation.record().is_some());
+        if read.lacks_samples() {
+            let bytes = samples(&scene);
+            let mut other = bytes.clone();
+            other[8] ^= 1;
+            // Both components, and all of them, in this order.
+            let swapped = [&bytes[bytes.len() / 2..], &bytes[..bytes.len() / 2]].concat();
+            for wrong in [&other[..], &bytes[16..], &bytes[..bytes.len() - 1], &swapped, &[]] {
+                assert!(!read.take_samples(wrong) && read.lacks_samples());
+            }
+            assert!(read.take_samples(&bytes));
+        }
         assert_eq!((&read, &read.scene, read.shard), (&content, &scene, shard));
         assert_eq!(read.identity().unwrap(), content.identity().unwrap());
     }
@@ -362,6 +380,26 @@ fn shards_may_come_from_different_backends() {
         shards.iter().map(from).collect::<Vec<_>>(),
         [(0.into(), "cpu".into()), (21.into(), "reference".into())]
     );
+    // A shard has the samples of its record in a file, which its identity names; without it the map cannot be verified.
+    let samples = dir.path().join("one/part-1-of-2/samples.f64");
+    let bytes = fs::read(&samples).unwrap();
+    let identity = fs::read(dir.path().join("one/part-1-of-2/identity.json")).unwrap();
+    assert!(bytes.len() > 10 * identity.len(), "{} {}", bytes.len(), identity.len());
+    let [one, other] = ["one", "other"].map(|name| dir.path().join(name));
+    for (wrong, said) in
+        [(Some(&bytes[8..]), "not the samples of the record"), (None, "samples.f64")]
+    {
+        match wrong {
+            Some(wrong) => fs::write(&samples, wrong).unwrap(),
+            None => fs::remove_file(&samples).unwrap(),
+        }
+        let run = merge(&[one.clone(), other.clone()], &dir.path().join("none")).assert().code(2);
+        let error = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+        assert!(error.contains(said), "{error}");
+    }
+    // Whoever goes on with the shard writes it again.
+    seismic(&one, &["--backend", "cpu", "--tile", "1/2", "--resume"]);
+    assert_eq!(fs::read(&samples).unwrap(), bytes);
     // Half of the rows are the CPU's, the others not.
     let rows = |out: &Path| -> Vec<String> {
         let table = fs::read_to_string(out.join("map.csv")).unwrap();
@@ -457,6 +495,17 @@ fn what_is_no_map_is_refused_by_name() {
     damaged[100] ^= 4;
     fs::write(&zeta, damaged).unwrap();
     refused(&["1", "2", "3"], &["zeta/c/0/0: damaged", "--resume"]);
+    // A column of a shard of another precision is not merged, and --resume does not take it away.
+    let finer = fs::read(place("finer/part-2-of-3/zeta/c/0/0")).unwrap();
+    fs::write(&zeta, &finer).unwrap();
+    refused(&["1", "2", "3"], &["zeta/c/0/0: a chunk of another run; give the folder"]);
+    let resumed = pulse(&place("2"), &GRID)
+        .args(["--tile", "2/3", "--backend", "cpu", "--resume"])
+        .assert()
+        .code(2);
+    let error = String::from_utf8(resumed.get_output().stderr.clone()).unwrap();
+    assert!(error.contains("zeta/c/0/0 is a chunk of another run; move it away"), "{error}");
+    assert_eq!(fs::read(&zeta).unwrap(), finer);
     fs::remove_file(&zeta).unwrap();
     refused(&["1", "2", "3"], &["zeta/c/0/0: missing", "--resume"]);
     // What merge refuses, --resume mends.

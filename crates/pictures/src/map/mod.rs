@@ -35,7 +35,7 @@ impl Map<'_> {
     /// it asks for more friction than there is. Of cells of which this is not known it is false.
     pub fn beyond_the_model(&self, cell: usize) -> bool {
         let outcome = &self.outcomes[cell];
-        outcome.min_contact < 0.0 || slides(&self.grid, cell, outcome)
+        outcome.loses_contact() || slides(&self.grid, cell, outcome)
     }
 
     /// True where it is known which cells are beyond the model.
