@@ -211,6 +211,9 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), Suit
         }
     }
     listed.extend(named);
+    if listed.len() > MOST_FILES {
+        return Err(refused(path, format!("more than {MOST_FILES} motions; give fewer")));
+    }
     let mut unused = unused::explained(unused, files, !lists.is_empty())
         .map_err(|(name, problem)| refused(&files.path(&name), problem))?;
     unused.extend(files.others().iter().cloned());

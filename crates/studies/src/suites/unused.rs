@@ -78,6 +78,9 @@ fn why(name: &str, files: &Files, listed: bool, seen: &AtomicU64) -> Result<Stri
         return Ok(NO_COMPONENT.into());
     }
     let Some(bytes) = files.peek(name, LARGEST as u64) else { return Ok("it cannot be read".into()) };
+    if bytes.len() > LARGEST {
+        return Ok(format!("{NO_COMPONENT}; it has {}", bounded::size(bytes.len() as u64)));
+    }
     let text = text::decoded(&bytes);
     if text.as_ref().is_ok_and(|text| list::is_measures(text)) {
         return Ok("a table that topple suite has made".into());
