@@ -285,8 +285,12 @@ type Component = (f64, Vec<f64>, String, Option<(String, String, f64)>);
 
 /// A motion in arrays; of traces what they state of themselves is judged as what files state is, unless it is forced.
 fn pair(value: &Bound<'_, PyAny>) -> PyResult<Pair> {
-    let (horizontal, vertical, force, baseline): (Component, Option<Component>, bool, Option<String>) =
-        value.extract()?;
+    let (horizontal, vertical, force, baseline): (
+        Component,
+        Option<Component>,
+        bool,
+        Option<String>,
+    ) = value.extract()?;
     let baseline = baseline.map(|word| named_one::<Baseline>("baseline", &word)).transpose()?;
     let record = |key: &str, (dt, samples, title, trace): Component| {
         if !(dt.is_finite() && dt > 0.0) {

@@ -350,10 +350,16 @@ fn treated(
     }
 }
 
-/// Refuses factors of a scene that make more of a motion than a ground does.
-fn check_factors(pair: &Pair, numbers: &Numbers, force: bool) -> Result<(), SceneError> {
+/// Refuses factors of a scene that make more of a motion than a ground does, unless that is forced.
+///
+/// # Errors
+/// The key `scale`, with the factor and the peak after it.
+pub fn check_factors(pair: &Pair, numbers: &Numbers, force: bool) -> Result<(), SceneError> {
     let factors = numbers.get(Parameter::Scale).into_iter().flat_map(Values::iter);
-    match factors.filter_map(|factor| pair.beyond(factor)).find(|beyond| !force || !beyond.is_finite()) {
+    match factors
+        .filter_map(|factor| pair.beyond(factor))
+        .find(|beyond| !force || !beyond.is_finite())
+    {
         Some(beyond) => Err(SceneError::new("scale", format!("{beyond}; {ACCEPTED}"))),
         None => Ok(()),
     }

@@ -185,9 +185,11 @@ pub fn left_out(suite: &Suite) -> BTreeMap<&str, &str> {
 
 /// Warns of motions whose samples may be wrong, the first of each kind with what it is.
 fn warn_of_doubts(suite: &Suite) {
-    let doubtful: Vec<_> = suite.motions().filter(|(_, motion)| !motion.pair.doubts.is_empty()).collect();
+    let doubtful: Vec<_> =
+        suite.motions().filter(|(_, motion)| !motion.pair.doubts.is_empty()).collect();
     if let Some((entry, motion)) = doubtful.first() {
-        let doubts: Vec<String> = motion.pair.doubts.iter().map(|doubt| words::with_flags(doubt)).collect();
+        let doubts: Vec<String> =
+            motion.pair.doubts.iter().map(|doubt| words::with_flags(doubt)).collect();
         words::warn(format!(
             "{} may have wrong samples, of which the first is {}: {}",
             counted(doubtful.len(), "motion"),

@@ -91,10 +91,11 @@ impl Suites {
             return Err(Refused::of("suite", format!("no motion among these files: {why}")));
         }
         let left_out = suite.left_out().count();
-        let doubts = match suite.motions().filter(|(_, motion)| !motion.pair.doubts.is_empty()).count() {
-            0 => String::new(),
-            doubtful => format!(", {doubtful} may have wrong samples: topple suite says why"),
-        };
+        let doubts =
+            match suite.motions().filter(|(_, motion)| !motion.pair.doubts.is_empty()).count() {
+                0 => String::new(),
+                doubtful => format!(", {doubtful} may have wrong samples: topple suite says why"),
+            };
         // What is stored is whole, whoever panicked.
         let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         // One suite is looked at: the others are read again when they are.

@@ -31,7 +31,8 @@ pub fn suite(
 ) -> PyResult<(String, String)> {
     let baseline = baseline.map(|word| named_one("baseline", &word)).transpose()?;
     let reading = Reading { strict, baseline };
-    let suite = watch::run_unheard(py, move || Suite::read_as(&path, reading))?.map_err(of_suite)?;
+    let suite =
+        watch::run_unheard(py, move || Suite::read_as(&path, reading))?.map_err(of_suite)?;
     let unused: BTreeMap<&str, &str> =
         suite.unused.iter().map(|unused| (&*unused.file, &*unused.why)).collect();
     let about = json!({

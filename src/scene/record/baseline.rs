@@ -23,8 +23,8 @@ written! {
 /// period T and the post-yield stiffness psi by V T^2/(4 pi^2 psi D); the motion moves it by V_peak T/(2 pi) or so. With V a
 /// quarter of V_peak, T = 4 s, psi = 0.1 and D = 20 s the first is 8 % of the second.
 const SHARE: f64 = 0.25;
-/// Smallest velocity that is said, m/s: by the same numbers an offset of it moves the base by 2 mm.
-const LEAST: f64 = 0.01;
+/// Smallest velocity that is said, m/s: by the same numbers an offset of it moves the base by 1 cm.
+const LEAST: f64 = 0.05;
 
 /// The velocities at the samples, m/s, from rest.
 fn velocities(samples: &[f64], dt: f64) -> impl Iterator<Item = f64> {

@@ -76,7 +76,8 @@ fn stamp(line: &str) -> Option<Stamp<'_>> {
     }
     let written = row[..row.len() - rest.len()].trim_end();
     let zoned = rest.trim_start_matches(' ');
-    let rest = ["Z", "z", "UTC", "GMT"].iter().find_map(|zone| zoned.strip_prefix(zone)).unwrap_or(rest);
+    let rest =
+        ["Z", "z", "UTC", "GMT"].iter().find_map(|zone| zoned.strip_prefix(zone)).unwrap_or(rest);
     let rest = offset(rest).unwrap_or(rest).trim_start_matches(['"', '\'']);
     let ends = rest.is_empty() || rest.starts_with([' ', '\t', ',', ';', '|']);
     let clock = 3600.0 * h + 60.0 * m + s;
@@ -98,7 +99,9 @@ fn offset(rest: &str) -> Option<&str> {
 pub(super) fn plain(text: &str, heading: usize) -> Result<Option<Dated>, RecordError> {
     // A heading may begin with a date, too.
     let is_row = |line: &&str| {
-        stamp(line).is_some_and(|stamp| free(stamp.rest).first().is_some_and(|next| number(next).is_some()))
+        stamp(line).is_some_and(|stamp| {
+            free(stamp.rest).first().is_some_and(|next| number(next).is_some())
+        })
     };
     let Some(first) = text.lines().take(heading).find(is_row).and_then(stamp) else {
         return Ok(None);
@@ -130,7 +133,8 @@ pub(super) fn plain(text: &str, heading: usize) -> Result<Option<Dated>, RecordE
         }
         plain.push('\n');
     }
-    let start = seconds(&format!("{} {}", first.date, first.written.trim_start_matches(first.date)));
+    let start =
+        seconds(&format!("{} {}", first.date, first.written.trim_start_matches(first.date)));
     let start = start.filter(|_| !first.date.is_empty()).unwrap_or(first.clock);
     Ok(Some(Dated { text: plain, first: first.written.into(), start }))
 }
@@ -177,7 +181,15 @@ mod tests {
 
     #[test]
     fn other_rows_have_no_dates() {
-        for text in ["0.01 0.1\n", "time 03:04:05\n1\n", "4000 0.01\n", "1:2 3\n", "2003-01-02 7\n", "", "1/17/1994, 12:30:55 GMT\n1\n2\n"] {
+        for text in [
+            "0.01 0.1\n",
+            "time 03:04:05\n1\n",
+            "4000 0.01\n",
+            "1:2 3\n",
+            "2003-01-02 7\n",
+            "",
+            "1/17/1994, 12:30:55 GMT\n1\n2\n",
+        ] {
             assert!(plain(text, 20).unwrap().is_none(), "{text}");
         }
         let mixed = plain("03:04:05.00 1\n0.01 2\n", 20).map(|_| ()).unwrap_err().to_string();

@@ -63,7 +63,9 @@ fn of_series(line: &str) -> Result<Header, RecordError> {
 fn of_geocsv(text: &str) -> Header {
     let mut header = Header::default();
     for (line, at) in text.lines().zip(1..).take_while(|(line, _)| line.starts_with('#')) {
-        let Some((key, value)) = line.trim_start_matches(['#', ' ']).split_once(':') else { continue };
+        let Some((key, value)) = line.trim_start_matches(['#', ' ']).split_once(':') else {
+            continue;
+        };
         let value = value.trim();
         match key.trim().to_ascii_lowercase().as_str() {
             "sid" => header.id = value.trim_start_matches("FDSN:").into(),
@@ -92,7 +94,9 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
     }
     let step = header.rate.filter(|rate| *rate > 0.0).map(|rate| Step::exact(1.0 / rate));
     // Rows of numbers and dates alone; what is no row leaves an empty line, so that lines keep their numbers.
-    let is_row = |line: &str| line.trim_start().starts_with(|c: char| c.is_ascii_digit() || "+-.\"".contains(c));
+    let is_row = |line: &str| {
+        line.trim_start().starts_with(|c: char| c.is_ascii_digit() || "+-.\"".contains(c))
+    };
     let rows: String = text
         .lines()
         .map(|line| if is_row(line) { line.replace('|', ",") + "\n" } else { "\n".into() })
@@ -104,7 +108,8 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
             if let (Some(step), Some(found)) = (step, raw.step)
                 && (found.seconds - step.seconds).abs() > 1.0e-4 * step.seconds + found.within
             {
-                let problem = "the times of its rows are not apart by the rate of its header; correct one";
+                let problem =
+                    "the times of its rows are not apart by the rate of its header; correct one";
                 return Err(RecordError::whole(problem));
             }
             raw
@@ -116,8 +121,10 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
         }
     };
     if let Some(count) = header.count.filter(|count| *count != raw.values.len()) {
-        let problem =
-            format!("its header states {count} samples, and {} follow; is the file cut off?", raw.values.len());
+        let problem = format!(
+            "its header states {count} samples, and {} follow; is the file cut off?",
+            raw.values.len()
+        );
         return Err(RecordError::whole(problem));
     }
     let parts: Vec<&str> = header.id.split('_').collect();
@@ -168,7 +175,10 @@ mod tests {
         assert_eq!(one.stated.start, seconds("2003/01/02 03:04:05"));
         for text in [TSPAIR, GEOCSV] {
             let other = of(text);
-            assert_eq!((other.dt, &other.samples, &other.stated), (one.dt, &one.samples, &one.stated));
+            assert_eq!(
+                (other.dt, &other.samples, &other.stated),
+                (one.dt, &one.samples, &one.stated)
+            );
         }
     }
 

@@ -1,8 +1,8 @@
 //! Samples that stand for missing ones in many files.
 
 /// Values that stand for a missing sample, with either sign.
-const CODES: [f64; 11] =
-    [99.0, 99.9, 99.99, 999.0, 999.9, 999.99, 9999.0, 9999.9, 9999.99, 99999.0, 99999.9];
+const CODES: [f64; 12] =
+    [99.0, 99.9, 99.99, 999.0, 999.25, 999.9, 999.99, 9999.0, 9999.9, 9999.99, 99999.0, 99999.9];
 
 /// From which value on a code is one wherever it stands, in a file whose values are not all whole numbers.
 const CLEAR: f64 = 999.0;
@@ -13,7 +13,9 @@ pub(super) fn told(values: &[f64]) -> Option<String> {
     let whole = values.iter().all(|value| value.fract() == 0.0);
     let is_code = |value: f64| CODES.contains(&value.abs());
     let stands_out = |at: usize, value: f64| {
-        let far = |other: Option<&f64>| other.is_none_or(|other| (other - value).abs() > 0.5 * value.abs());
+        let far = |other: Option<&f64>| {
+            other.is_none_or(|other| (other - value).abs() > 0.5 * value.abs())
+        };
         let before = values[..at].iter().rev().find(|other| **other != value);
         let after = values[at + 1..].iter().find(|other| **other != value);
         far(before) && far(after)

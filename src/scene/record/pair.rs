@@ -57,13 +57,17 @@ impl Beyond {
 
 impl fmt::Display for Beyond {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let [peak, in_g] = [self.peak, self.peak / GRAVITY].map(|peak| rounded(peak, 4));
-        let most = largest_peak();
+        // A number of hundreds of digits says no more.
+        let short = |number: f64| match number.abs() {
+            1.0e6.. => format!("{number:e}"),
+            _ => number.to_string(),
+        };
+        let [peak, in_g] = [self.peak, self.peak / GRAVITY].map(|peak| short(rounded(peak, 4)));
+        let (factor, most) = (short(self.factor), largest_peak());
         write!(
             f,
-            "the factor {} makes the peak {peak} m/s2 ({in_g} g), which is not plausible (up to {most} m/s2; a factor is meant, \
-             not percent)",
-            self.factor
+            "the factor {factor} makes the peak {peak} m/s2 ({in_g} g), which is not plausible (up to {most} m/s2; a factor is meant, \
+             not percent)"
         )
     }
 }

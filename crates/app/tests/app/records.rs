@@ -138,14 +138,22 @@ fn rows_that_begin_with_dates_are_read_and_aligned_by_them() {
     };
     let of = |heading: &str, stamp: &dyn Fn(u32) -> String| {
         let text = format!("{heading}{}", rows(stamp));
-        read::bytes(text.as_bytes(), &RecordHints::default()).unwrap_or_else(|e| panic!("{text}: {e}"))
+        read::bytes(text.as_bytes(), &RecordHints::default())
+            .unwrap_or_else(|e| panic!("{text}: {e}"))
     };
     let plain = of("time (s),acc (m/s2)\n", &|k| format!("{:.2}", 0.01 * f64::from(k)));
     let iso = |k: u32| format!("2003-01-02T03:04:{:05.2}", 59.8 + 0.01 * f64::from(k));
     for (heading, stamp) in [
-        ("Time,acc (m/s2)\n", &(|k| format!("03:04:{:09.6}", 5.0 + 0.01 * f64::from(k))) as &dyn Fn(u32) -> String),
-        ("Time (UTC),acc (m/s2)\n", &|k| format!("2003-01-02T03:04:{:05.2}Z", 5.0 + 0.01 * f64::from(k))),
-        ("date,acc (m/s2)\n", &|k| format!("\"02/01/2003 23:59:{:05.2}\"", 5.0 + 0.01 * f64::from(k))),
+        (
+            "Time,acc (m/s2)\n",
+            &(|k| format!("03:04:{:09.6}", 5.0 + 0.01 * f64::from(k))) as &dyn Fn(u32) -> String,
+        ),
+        ("Time (UTC),acc (m/s2)\n", &|k| {
+            format!("2003-01-02T03:04:{:05.2}Z", 5.0 + 0.01 * f64::from(k))
+        }),
+        ("date,acc (m/s2)\n", &|k| {
+            format!("\"02/01/2003 23:59:{:05.2}\"", 5.0 + 0.01 * f64::from(k))
+        }),
         ("time,acc (m/s2)\n", &|k| match k {
             0 => "0 days 00:00:00".into(),
             k => format!("0 days 00:00:00.{:06}", 10_000 * k),
@@ -153,7 +161,11 @@ fn rows_that_begin_with_dates_are_read_and_aligned_by_them() {
     ] {
         let dated = of(heading, stamp);
         assert_eq!((dated.dt, &dated.samples), (0.01, &plain.samples), "{heading}");
-        assert!(dated.notes.iter().any(|note| note.starts_with("its rows begin with dates")), "{:?}", dated.notes);
+        assert!(
+            dated.notes.iter().any(|note| note.starts_with("its rows begin with dates")),
+            "{:?}",
+            dated.notes
+        );
     }
     // A row that is missing, and a component that begins later.
     let cut = |k: u32| iso(if k < 20 { 0 } else { 1 } + k).replace("04:60.", "05:00.");
@@ -165,9 +177,14 @@ fn rows_that_begin_with_dates_are_read_and_aligned_by_them() {
         format!("Time,acc (m/s2)\n{}", rows(&stamp))
     };
     let pair = pair_of(&later(5.0), &later(5.1).replace("0.9", "0.8"), true).unwrap();
-    assert!(pair.notes.iter().any(|note| note.contains("0.1 s of zeros put before it")), "{:?}", pair.notes);
+    assert!(
+        pair.notes.iter().any(|note| note.contains("0.1 s of zeros put before it")),
+        "{:?}",
+        pair.notes
+    );
     // What is no such time says what is.
-    let error = read::bytes(b"time,acc (g)\n3:4,0.1\n3:5,0.2\n", &RecordHints::default()).unwrap_err();
+    let error =
+        read::bytes(b"time,acc (g)\n3:4,0.1\n3:5,0.2\n", &RecordHints::default()).unwrap_err();
     assert!(error.to_string().contains("2003-01-02T03:04:05.01"), "{error}");
 }
 

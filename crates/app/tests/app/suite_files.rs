@@ -401,7 +401,8 @@ fn every_file_that_is_not_used_is_told() {
 fn what_is_no_file_in_a_folder_is_named_and_not_opened() {
     let folder = records();
     let at = |name: &str| folder.path().join(name);
-    let made = std::process::Command::new("mkfifo").arg(at("notes.txt")).arg(at("B090.AT2")).status();
+    let made =
+        std::process::Command::new("mkfifo").arg(at("notes.txt")).arg(at("B090.AT2")).status();
     assert!(made.unwrap().success());
     let _socket = std::os::unix::net::UnixListener::bind(at("socket.csv")).unwrap();
     std::os::unix::fs::symlink("/dev/zero", at("C090.AT2")).unwrap();
@@ -442,7 +443,9 @@ fn a_list_reads_the_files_that_it_names_and_no_others() {
     let suite = Suite::read(&list, false).unwrap();
     let why = suite.left_out().next().unwrap().1;
     assert!(why.starts_with("link/A090.AT2 lies behind link, a link to a folder"), "{why}");
-    let paths = suite.motions().map(|(_, motion)| motion.pair.provenance.as_ref().unwrap().horizontal.path.clone());
+    let paths = suite
+        .motions()
+        .map(|(_, motion)| motion.pair.provenance.as_ref().unwrap().horizontal.path.clone());
     assert!(paths.into_iter().all(|path| path.starts_with(folder.path())));
 }
 
@@ -501,27 +504,70 @@ fn tables_of_factors_beside_a_suite_are_refused() {
         ("events.json", events),
         ("pairs.txt", "A090.AT2 1.5\nB090.AT2 2.5\n"),
         ("factors", "A090.AT2: 1.5\nB090.AT2: 2.5\n"),
-        ("set.xml", "<?xml version=\"1.0\"?>\n<set><m file=\"A090.AT2\" scale=\"2\"/><m file=\"B090.AT2\" scale=\"3\"/></set>\n"),
+        (
+            "set.xml",
+            "<?xml version=\"1.0\"?>\n<set><m file=\"A090.AT2\" scale=\"2\"/><m file=\"B090.AT2\" scale=\"3\"/></set>\n",
+        ),
         ("set.tcl", "set factor(A090.AT2) 1.5\nset factor(B090.AT2) 2.5\n"),
         ("semicolons.dat", "gm/A090.AT2;1.5\ngm/B090.AT2;2.5\n"),
     ] {
         let error = of(name, text).unwrap_err().to_string();
-        assert!(error.contains(name) && error.contains("it names ") && error.contains("a list"), "{error}");
+        assert!(
+            error.contains(name) && error.contains("it names ") && error.contains("a list"),
+            "{error}"
+        );
     }
     for (name, text) in [
         ("readme.txt", "A090.AT2 and B090.AT2 are made up, 200 samples each\n"),
         ("readme.md", "| A090.AT2 | scale factor 1.5 |\n| B090.AT2 | 2.5 |\n"),
     ] {
         let suite = of(name, text).unwrap();
-        assert_eq!(suite.unused[0].why, "it names A090.AT2 and others; nothing in it is applied to them");
+        assert_eq!(
+            suite.unused[0].why,
+            "it names A090.AT2 and others; nothing in it is applied to them"
+        );
     }
     // One file that is named is no table; and a list holds whatever lies beside it.
-    assert_eq!(of("x.txt", "factor of A090.AT2: 1.5\n").unwrap().unused[0].why, "its name tells no component");
+    assert_eq!(
+        of("x.txt", "factor of A090.AT2: 1.5\n").unwrap().unused[0].why,
+        "its name tells no component"
+    );
     let folder = records();
     put(folder.path(), "B090.AT2", Some(90));
-    fs::write(folder.path().join("list.csv"), "horizontal,vertical,scale\nA090.AT2,A-UP.AT2,1.5\nB090.AT2,,2.5\n").unwrap();
+    fs::write(
+        folder.path().join("list.csv"),
+        "horizontal,vertical,scale\nA090.AT2,A-UP.AT2,1.5\nB090.AT2,,2.5\n",
+    )
+    .unwrap();
     fs::write(folder.path().join("events.json"), events).unwrap();
-    assert!(Suite::read(folder.path(), false).unwrap().unused[0].why.contains("nothing in it is applied"));
+    assert!(
+        Suite::read(folder.path(), false).unwrap().unused[0]
+            .why
+            .contains("nothing in it is applied")
+    );
+}
+
+/// What topple has written of the suite into its folder names its files with factors, and is no table of them.
+#[test]
+fn results_in_the_folder_of_a_suite_are_no_table() {
+    let folder = records();
+    put(folder.path(), "B090.AT2", Some(90));
+    put(folder.path(), "B-UP.AT2", None);
+    let suite = |out: &Path| {
+        Command::cargo_bin("topple")
+            .unwrap()
+            .arg("suite")
+            .arg(folder.path())
+            .arg("--out")
+            .arg(out)
+            .assert()
+            .success()
+    };
+    suite(&folder.path().join("out"));
+    let read = Suite::read(folder.path(), false).unwrap();
+    let told = |name: &str| &read.unused.iter().find(|one| one.file.ends_with(name)).unwrap().why;
+    assert!(told("run.json").contains("nothing in it is applied to them"), "{}", told("run.json"));
+    assert_eq!(told("suite.csv"), "a table that topple suite has made");
 }
 
 /// A stream that was recorded and corrected counts once; by its name, or by what its file states. A list says what is meant.
@@ -531,9 +577,11 @@ fn one_stream_in_two_processings_counts_once() {
     for (word, processing) in [("U", "none"), ("C", "manual")] {
         for (channel, azimuth) in [("HNE", Some(90)), ("HNN", Some(0)), ("HNZ", None)] {
             let mut motion = Motion::made(200, azimuth);
-            let less = 0.01 * f64::from(u8::from(word == "U")) + 0.1 * f64::from(u8::from(azimuth == Some(0)));
+            let less = 0.01 * f64::from(u8::from(word == "U"))
+                + 0.1 * f64::from(u8::from(azimuth == Some(0)));
             motion.samples.iter_mut().for_each(|a| *a *= 1.0 - less);
-            let text = motion.esm().text.replacen("KEY_0: ", &format!("PROCESSING: {processing}"), 1);
+            let text =
+                motion.esm().text.replacen("KEY_0: ", &format!("PROCESSING: {processing}"), 1);
             let text = text.replace("STREAM: HNE", &format!("STREAM: {channel}"));
             assert!(text.contains("PROCESSING"), "{text}");
             let name = format!("XX.ABC.00.{channel}.D.20010203.040506.{word}.ACC.ASC");
@@ -545,7 +593,11 @@ fn one_stream_in_two_processings_counts_once() {
     assert_eq!(ids.len(), 2, "{ids:?}");
     assert!(ids.iter().all(|id| id.contains(".C.")), "{ids:?}");
     let (left_out, why) = suite.left_out().next().unwrap();
-    assert!(left_out.id.contains(".U.") && why.starts_with("not corrected; the corrected record of the same stream is XX."), "{why}");
+    assert!(
+        left_out.id.contains(".U.")
+            && why.starts_with("not corrected; the corrected record of the same stream is XX."),
+        "{why}"
+    );
     // Without the corrected ones the others are motions, with a note.
     for entry in fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().path()) {
         if entry.to_str().unwrap().contains(".C.") {
@@ -554,7 +606,9 @@ fn one_stream_in_two_processings_counts_once() {
     }
     let suite = Suite::read(folder.path(), false).unwrap();
     assert_eq!(suite.motions().count(), 2);
-    assert!(suite.motions().all(|(entry, _)| entry.notes.iter().any(|note| note.ends_with("not corrected by its file"))));
+    assert!(suite.motions().all(|(entry, _)| {
+        entry.notes.iter().any(|note| note.ends_with("not corrected by its file"))
+    }));
     // Folders say it, too.
     let folders = TempDir::new().unwrap();
     put(folders.path(), "Raw/A090.AT2", Some(90));
@@ -578,7 +632,8 @@ fn factors_and_baselines_of_a_list_are_judged() {
         fs::write(&list, text).unwrap();
         Suite::read_as(&list, Reading { strict: true, baseline })
     };
-    let scaled = |scale: &str| format!("id,horizontal,vertical,scale\none,A090.AT2,A-UP.AT2,{scale}\n");
+    let scaled =
+        |scale: &str| format!("id,horizontal,vertical,scale\none,A090.AT2,A-UP.AT2,{scale}\n");
     // A peak of some 3 m/s2.
     assert!(of(&scaled("10"), None).is_ok());
     for scale in ["150", "1e5"] {
@@ -599,8 +654,12 @@ fn factors_and_baselines_of_a_list_are_judged() {
     let suite = of(lined, None).unwrap();
     let rows: Vec<_> = suite.motions().collect();
     let said = |row: usize, what: &str| rows[row].0.notes.iter().any(|note| note.contains(what));
-    assert!(said(0, "horizontal: the ground ends with the velocity") && !said(0, "baseline: an offset"));
-    assert!(said(1, "horizontal: baseline: an offset of 0.3") && !said(1, "ends with the velocity"));
+    assert!(
+        said(0, "horizontal: the ground ends with the velocity") && !said(0, "baseline: an offset")
+    );
+    assert!(
+        said(1, "horizontal: baseline: an offset of 0.3") && !said(1, "ends with the velocity")
+    );
     let treatment = rows[1].1.pair.provenance.as_ref().unwrap().treatment;
     assert_eq!(treatment.baseline, Some(Baseline::Line));
     // A line that says nothing is as the flag says.

@@ -109,18 +109,26 @@ impl Found {
             }
             let (name, path) = (format!("{before}{text}"), own.join(&written));
             let mut kind = entry.file_type()?;
-            if kind.is_symlink() && let Ok(about) = entry.path().metadata() && !about.is_dir() {
+            if kind.is_symlink()
+                && let Ok(about) = entry.path().metadata()
+                && !about.is_dir()
+            {
                 kind = about.file_type();
             }
             if kind.is_dir() && depth < DEPTH {
                 let inside = self.look(&entry.path(), &format!("{name}/"), &path, depth + 1);
                 match inside {
                     Err(error) if error.kind() == io::ErrorKind::FileTooLarge => return Err(error),
-                    Err(error) => self.other(name, format!("a folder that cannot be read ({error})")),
+                    Err(error) => {
+                        self.other(name, format!("a folder that cannot be read ({error})"))
+                    }
                     Ok(()) => {}
                 }
             } else if kind.is_dir() {
-                self.other(name, format!("a folder within more than {DEPTH} others, which is not looked into"));
+                self.other(
+                    name,
+                    format!("a folder within more than {DEPTH} others, which is not looked into"),
+                );
             } else if !kind.is_file() && !kind.is_symlink() {
                 self.other(name, "a pipe, a socket or a device, no file".into());
             } else {

@@ -8,9 +8,9 @@ use serde::Deserialize;
 use super::delimited;
 use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
-use topple::scene::record::{Baseline, Units};
 use topple::scene::record::text::printable;
 use topple::scene::record::zips::MOST_FILES;
+use topple::scene::record::{Baseline, Units};
 use topple::scene::shown::shown;
 use topple::written::Written;
 
@@ -72,7 +72,9 @@ fn units(at: usize, text: Option<&str>) -> Result<Option<Units>, String> {
 fn baseline(at: usize, text: Option<&str>) -> Result<Option<Baseline>, String> {
     let Some(text) = text.filter(|text| !text.is_empty()) else { return Ok(None) };
     let known = Baseline::of_key(text);
-    known.map(Some).ok_or_else(|| format!("line {at}: baseline {text} is not known; give none or line"))
+    known
+        .map(Some)
+        .ok_or_else(|| format!("line {at}: baseline {text} is not known; give none or line"))
 }
 
 /// Most lines of a list: each may have files of its own, of which no more are looked at.

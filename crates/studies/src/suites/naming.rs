@@ -11,9 +11,8 @@ const LETTERS: usize = 1 << 16;
 const FACTOR: [&str; 7] = ["scal", "fact", "fakt", "fatt", "amplif", "multipl", "échelle"];
 
 /// What parts the names and the numbers of a table, of JSON, XML and programs.
-const APART: &[char] = &[
-    ',', ';', '\t', '|', ' ', '"', '\'', '<', '>', '(', ')', '[', ']', '{', '}', '=', '\r',
-];
+const APART: &[char] =
+    &[',', ';', '\t', '|', ' ', '"', '\'', '<', '>', '(', ')', '[', ']', '{', '}', '=', '\r'];
 
 /// What a text names.
 pub(super) struct Naming<'a> {
@@ -53,7 +52,8 @@ impl<'a> Naming<'a> {
                 }
             }
             if own > 0 {
-                let named = named.get_or_insert(Naming { first: names[0], count: 0, rows: 0, factors });
+                let named =
+                    named.get_or_insert(Naming { first: names[0], count: 0, rows: 0, factors });
                 named.rows += usize::from(numbers > 0 && words == 0);
             }
         }

@@ -13,8 +13,12 @@ const FOLDERS: [(&[&str], bool); 2] = [
 ];
 /// The same of a part of a file's name, as ESM's and ITACA's have it between points.
 const PARTS: [(&[&str], bool); 2] = [(&["u", "cv"], false), (&["c", "ap", "mp"], true)];
+/// The same of a word within a file's name, between dashes, underlines or blanks.
+const WITHIN: [(&[&str], bool); 2] =
+    [(&["raw", "unprocessed", "uncorrected"], false), (&["processed", "corrected"], true)];
 /// The same of the ending of a file of CESMD.
-const ENDINGS: [(&[&str], bool); 2] = [(&["v1", "v1c", "raw"], false), (&["v2", "v2c"], true)];
+const ENDINGS: [(&[&str], bool); 2] =
+    [(&["v1", "v1a", "v1c", "raw"], false), (&["v2", "v2a", "v2c"], true)];
 
 /// What a word says of the processing.
 fn of_word(word: &str, words: &[(&[&str], bool)]) -> Option<bool> {
@@ -38,12 +42,18 @@ pub(super) fn of_name(name: &str) -> Option<(String, bool)> {
     let last = parts.len() - 1;
     // ESM: network, station, location, channel, and others: HI.ARS1..HNE.D.20190728.160908.C.ACC.ASC.
     let of_esm = parts.len() > 6;
-    let parts: Vec<String> = (0..).zip(parts).map(|(at, part)| match at {
-        at if of_esm && at > 4 => plain(part, &PARTS),
-        at if !of_esm && at == last && at > 0 => plain(part, &ENDINGS),
-        _ => part.to_lowercase(),
-    }).collect();
-    said.map(|corrected| (format!("{}/{}", folders.join("/"), parts.join(".")), corrected))
+    let mut within = |part: &str| -> String {
+        part.split(['-', '_', ' ']).map(|word| plain(word, &WITHIN)).collect::<Vec<_>>().join("_")
+    };
+    let mut named: Vec<String> = parts.iter().map(|part| within(part)).collect();
+    for (at, part) in parts.iter().enumerate() {
+        if of_esm && at > 4 {
+            named[at] = plain(part, &PARTS);
+        } else if !of_esm && at == last && at > 0 {
+            named[at] = plain(part, &ENDINGS);
+        }
+    }
+    said.map(|corrected| (format!("{}/{}", folders.join("/"), named.join(".")), corrected))
 }
 
 /// The same by what a file states: the earthquake, the station and the azimuth are those of the stream.
@@ -71,7 +81,8 @@ impl Suite {
         let twins: Vec<Option<String>> = self.rows.iter().map(twin).collect();
         for ((entry, motion), twin) in self.rows.iter_mut().zip(twins) {
             let Some(twin) = twin.filter(|_| !entry.listed) else { continue };
-            *motion = Err(format!("not corrected; the corrected record of the same stream is {twin}"));
+            *motion =
+                Err(format!("not corrected; the corrected record of the same stream is {twin}"));
         }
     }
 }
@@ -79,7 +90,8 @@ impl Suite {
 /// The streams of a motion by what its file states and by its name, if it is a corrected one or not as is asked.
 fn streams(entry: &Entry, corrected: bool) -> Option<impl Iterator<Item = &str>> {
     let is_it = entry.streams.iter().all(|(_, own)| *own == corrected);
-    (is_it && !entry.streams.is_empty()).then(|| entry.streams.iter().map(|(stream, _)| stream.as_str()))
+    (is_it && !entry.streams.is_empty())
+        .then(|| entry.streams.iter().map(|(stream, _)| stream.as_str()))
 }
 
 #[cfg(test)]
@@ -89,12 +101,19 @@ mod tests {
     #[test]
     fn names_of_one_stream_differ_by_its_processing_alone() {
         for (uncorrected, corrected) in [
-            ("XX.ST1.00.HNE.D.20010203.040506.U.ACC.ASC", "XX.ST1.00.HNE.D.20010203.040506.C.ACC.ASC"),
-            ("HI.ARS1..HNE.D.20190728.160908.CV.ACC.ASC", "HI.ARS1..HNE.D.20190728.160908.MP.ACC.ASC"),
+            (
+                "XX.ST1.00.HNE.D.20010203.040506.U.ACC.ASC",
+                "XX.ST1.00.HNE.D.20010203.040506.C.ACC.ASC",
+            ),
+            (
+                "HI.ARS1..HNE.D.20190728.160908.CV.ACC.ASC",
+                "HI.ARS1..HNE.D.20190728.160908.MP.ACC.ASC",
+            ),
             ("unprocessed/a.at2", "processed/a.at2"),
             ("q/raw/a.at2", "q/Corrected/a.at2"),
             ("Vol1/CE36456.V1", "Vol2/CE36456.V2"),
             ("CE36456.V1c", "CE36456.v2c"),
+            ("20030102_ABC_raw.txt", "20030102_ABC_corrected.txt"),
         ] {
             let (one, other) = (of_name(uncorrected).unwrap(), of_name(corrected).unwrap());
             assert_eq!((&one.0, one.1, other.1), (&other.0, false, true), "{uncorrected}");

@@ -100,7 +100,8 @@ impl Suite {
     /// Refuses factors of a list that make more of a motion than any ground has.
     fn check_factors(&self, path: &Path) -> Result<(), SuiteError> {
         for (entry, motion) in self.motions() {
-            let [pga_h, pga_v] = [motion.pair.pga_h, motion.pair.pga_v].map(|peak| peak / entry.scale);
+            let [pga_h, pga_v] =
+                [motion.pair.pga_h, motion.pair.pga_v].map(|peak| peak / entry.scale);
             let before = Pair { pga_h, pga_v, ..motion.pair.clone() };
             if let Some(beyond) = before.beyond(entry.scale) {
                 return Err(SuiteError::Factor { path: path.into(), id: entry.id.clone(), beyond });
@@ -261,8 +262,12 @@ fn motion(entry: &mut Entry, files: &Files, samples: &AtomicUsize) -> Result<Mot
     if entry.vertical.is_none() && !entry.horizontal_alone {
         return Err("no vertical; a list with an empty vertical takes the horizontal alone".into());
     }
-    let hints =
-        RecordHints { dt: entry.dt, units: entry.units, baseline: entry.baseline, ..RecordHints::default() };
+    let hints = RecordHints {
+        dt: entry.dt,
+        units: entry.units,
+        baseline: entry.baseline,
+        ..RecordHints::default()
+    };
     let record = |name: &str, vertical: bool| -> Result<(Record, RecordFile), String> {
         let bytes = files.read(name).map_err(|error| format!("{name}: {error}"))?;
         let channel = entry.channels[usize::from(vertical)].clone();
@@ -281,7 +286,9 @@ fn motion(entry: &mut Entry, files: &Files, samples: &AtomicUsize) -> Result<Mot
     }
     let channel = entry.channels[0].as_deref().unwrap_or_default();
     let of_name = processing::of_name(&entry.horizontal);
-    entry.streams.extend(of_name.map(|(stream, corrected)| (format!("{stream} {channel}"), corrected)));
+    entry
+        .streams
+        .extend(of_name.map(|(stream, corrected)| (format!("{stream} {channel}"), corrected)));
     entry.streams.extend(processing::of_stated(stated));
     let pair = joined::join(horizontal, vertical, &hints, false);
     // Here nothing is forced: a list says what is meant.

@@ -77,7 +77,9 @@ fn why(name: &str, files: &Files, listed: bool, seen: &AtomicU64) -> Result<Stri
     if seen.fetch_add(size, Ordering::Relaxed) > MOST {
         return Ok(NO_COMPONENT.into());
     }
-    let Some(bytes) = files.peek(name, LARGEST as u64) else { return Ok("it cannot be read".into()) };
+    let Some(bytes) = files.peek(name, LARGEST as u64) else {
+        return Ok("it cannot be read".into());
+    };
     if bytes.len() > LARGEST {
         return Ok(format!("{NO_COMPONENT}; it has {}", bounded::size(bytes.len() as u64)));
     }
@@ -128,13 +130,15 @@ fn why(name: &str, files: &Files, listed: bool, seen: &AtomicU64) -> Result<Stri
 
 /// Endings of what is written for people and of programs, which may name files with any numbers.
 const PROSE: [&str; 16] = [
-    "md", "rst", "html", "htm", "tex", "bib", "log", "toml", "ini", "py", "ipynb", "m", "r", "jl", "sh", "bat",
+    "md", "rst", "html", "htm", "tex", "bib", "log", "toml", "ini", "py", "ipynb", "m", "r", "jl",
+    "sh", "bat",
 ];
 
 /// True of what topple has written of a run.
 fn is_own(text: &str) -> bool {
     let head: String = text.chars().take(4096).collect();
-    head.starts_with('{') && head.contains("\"topple\"")
+    head.starts_with('{')
+        && ["\"kind\"", "\"version\"", "\"date\""].iter().all(|key| head.contains(key))
 }
 
 /// True of names that lists have.

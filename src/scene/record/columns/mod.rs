@@ -40,7 +40,9 @@ const HEADING: usize = 20;
 const COMMENT: [char; 3] = ['#', '%', '!'];
 
 pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> {
-    let Some(dated) = dated::plain(text, 10 * HEADING)? else { return of_numbers(text, hints, Told::new(hints)) };
+    let Some(dated) = dated::plain(text, 10 * HEADING)? else {
+        return of_numbers(text, hints, Told::new(hints));
+    };
     let mut raw = of_numbers(&dated.text, hints, Told::of_dates(hints))?;
     raw.stated.start = Some(dated.start);
     raw.notes.push(format!("its rows begin with dates: times from {} on", shown(&dated.first)));

@@ -105,7 +105,10 @@ impl Told {
         if let (Some(units), true) = (units.clone(), self.put_units(at, units)?) {
             self.notes.push(format!("line {at} states units of '{}'", shown(&units)));
         }
-        if of_columns && !self.dated && let Some(Ok(clock)) = unit_words::clock(words) {
+        if of_columns
+            && !self.dated
+            && let Some(Ok(clock)) = unit_words::clock(words)
+        {
             put(&mut self.clock, at, Some(Ok(clock)), "a unit of the times")?;
         }
         self.put_numbers(at, words)?;
