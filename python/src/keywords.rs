@@ -1,8 +1,9 @@
 //! From keywords to a scene and to how it is run.
 
+use std::ffi::CString;
 use std::path::{Path, PathBuf};
 
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyUserWarning, PyValueError};
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyBool, PyByteArray, PyBytes, PyDict, PyType};
@@ -13,7 +14,7 @@ use topple::scene::keys;
 use topple::scene::parameters::Section;
 use topple::scene::path_text::PathText;
 use topple::scene::record::RecordHints;
-use topple::scene::record::{Pair, Provenance, Record, Stated, joined, synthetic};
+use topple::scene::record::{Baseline, Pair, Provenance, Record, Stated, joined, synthetic};
 use topple::sweep::settings::VerifySettings;
 use topple::work::threads::{Threads, too_many};
 use topple::{Parameter, RefineSettings, RunSettings, Saving, Scene, SceneBuilder, Values};
@@ -150,8 +151,21 @@ impl Request {
             Some(motion) => self.scene.check_under_motion_in(motion, &self.folder),
             None => self.scene.check_in(&self.folder),
         };
-        checked.map_err(of_scene)
+        let scene = checked.map_err(of_scene)?;
+        warn_of_doubts(scene.excitation.record().map_or(&[], |pair| &pair.doubts))?;
+        Ok(scene)
     }
+}
+
+/// Warns of what may be wrong with the samples of a record.
+pub fn warn_of_doubts(doubts: &[String]) -> PyResult<()> {
+    Python::attach(|py| {
+        let kind = py.get_type::<PyUserWarning>();
+        doubts.iter().try_for_each(|doubt| {
+            // A text of this library has no zero in it.
+            PyErr::warn(py, &kind, &CString::new(doubt.replace('`', "")).unwrap_or_default(), 1)
+        })
+    })
 }
 
 /// The scene of a result; `shaken`: its motion is given in arrays.
@@ -271,7 +285,13 @@ type Component = (f64, Vec<f64>, String, Option<(String, String, f64)>);
 
 /// A motion in arrays; of traces what they state of themselves is judged as what files state is, unless it is forced.
 fn pair(value: &Bound<'_, PyAny>) -> PyResult<Pair> {
-    let (horizontal, vertical, force): (Component, Option<Component>, bool) = value.extract()?;
+    let (horizontal, vertical, force, baseline): (
+        Component,
+        Option<Component>,
+        bool,
+        Option<String>,
+    ) = value.extract()?;
+    let baseline = baseline.map(|word| named_one::<Baseline>("baseline", &word)).transpose()?;
     let record = |key: &str, (dt, samples, title, trace): Component| {
         if !(dt.is_finite() && dt > 0.0) {
             return Err(of_keyword(
@@ -285,7 +305,7 @@ fn pair(value: &Bound<'_, PyAny>) -> PyResult<Pair> {
         let stated =
             trace.map(|(station, channel, start)| Stated::of_trace(&station, &channel, start));
         let stated = stated.unwrap_or_default();
-        Ok(Record { title, dt, samples, stated, ..Record::default() })
+        Ok(Record { title, dt, samples, stated, ..Record::default() }.on_baseline(baseline))
     };
     let horizontal = record("horizontal", horizontal)?;
     let vertical = vertical.map(|samples| record("vertical", samples)).transpose()?;
@@ -455,7 +475,7 @@ fn brief(value: &Bound<'_, PyAny>) -> String {
 const BRIEF: usize = 40;
 
 /// A word of a list that the library knows.
-fn named_one<T: serde::de::DeserializeOwned>(key: &str, text: &str) -> PyResult<T> {
+pub fn named_one<T: serde::de::DeserializeOwned>(key: &str, text: &str) -> PyResult<T> {
     serde_json::from_value(json!(text)).map_err(|error| unknown(key, text, &error))
 }
 

@@ -189,3 +189,44 @@ def test_a_masked_number_of_a_record_is_none(key):
         warnings.simplefilter("error")
         with pytest.raises(ValueError, match=f"^{key}: "):
             topple.seismic(**(SHAKEN | {key: np.ma.masked_array(0.5, mask=True)}), horizontal=GROUND)
+
+
+@pytest.mark.parametrize(
+    ("scale", "line"),
+    [
+        (float("inf"), "scale: .*finite number"),
+        (float("nan"), "scale: .*finite number"),
+        (1e308, "scale: the factor 1"),
+        (150.0, r"scale: the factor 150 makes the peak 4\d\d"),
+    ],
+)
+def test_a_factor_is_the_trouble_not_the_units(scale, line):
+    with pytest.raises(ValueError, match=line):
+        topple.seismic(**SHAKEN, horizontal=GROUND, scale=scale)
+
+
+def test_an_open_file_and_bytes_are_no_arrays(tmp_path):
+    path = tmp_path / "a.txt"
+    np.savetxt(path, GROUND)
+    for record in (path.open(), path.open("rb"), path.read_bytes(), bytearray(b"1\n2\n")):
+        with pytest.raises(ValueError, match=r"horizontal: .* is not read; give a path \(str or Path\)"):
+            topple.seismic(**SHAKEN, horizontal=record)
+
+
+def test_an_offset_is_warned_of_and_a_line_takes_it_away(plain):
+    with pytest.warns(UserWarning, match="horizontal: the ground ends with the velocity"):
+        topple.seismic(**SHAKEN, horizontal=GROUND + 0.5)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        level = topple.seismic(**SHAKEN, horizontal=GROUND + 0.5, baseline="line")
+        same = topple.seismic(**SHAKEN, horizontal=GROUND, baseline="line")
+    assert np.allclose(level["max_u"], same["max_u"], rtol=1e-4)
+    with pytest.raises(ValueError, match="baseline: poly is not known; give"):
+        topple.seismic(**SHAKEN, horizontal=GROUND, baseline="poly")
+
+
+def test_codes_of_missing_samples_are_warned_of():
+    ground = GROUND.copy()
+    ground[300] = -999.0
+    with pytest.warns(UserWarning, match="horizontal: sample 300 is exactly -999"):
+        topple.seismic(**{**SHAKEN, "units": "cm/s2"}, horizontal=ground)

@@ -280,7 +280,7 @@ def history(*, progress: bool | Progress | None = None, **keywords: Unpack[CellC
     return dataset(data_vars, {"t": (("row",), time, described(_MOTION["t"]))}, attrs)
 
 
-def suite(path: str | os.PathLike[str], *, strict: bool = False) -> Any:
+def suite(path: str | os.PathLike[str], *, strict: bool = False, baseline: str | None = None) -> Any:
     """Read a set of records as one suite.
 
     Parameters
@@ -289,6 +289,8 @@ def suite(path: str | os.PathLike[str], *, strict: bool = False) -> Any:
         A folder, a zip or a list (CSV) of records.
     strict : bool
         Refuse a suite in which a file is missing, ambiguous or unused.
+    baseline : str, optional
+        none or line: what is subtracted from the velocities of components whose list says nothing of it.
 
     Returns
     -------
@@ -296,7 +298,7 @@ def suite(path: str | os.PathLike[str], *, strict: bool = False) -> Any:
         The table of ``topple suite`` over the dimension ``id``: measures, with ``units``, and ``notes`` on what was
         decided; the attribute ``unused`` has in JSON why each file that is no part of it is not used.
     """
-    text, about = _topple.suite(_suite_path(path), strict)
+    text, about = _topple.suite(_suite_path(path), strict, baseline)
     return of_suite(text, json.loads(about))
 
 
@@ -323,6 +325,8 @@ def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None 
     resample : str, optional
         What is drawn for the interval of the share that overturns: event, recording or motion.
     both_directions, strict : bool, optional
+    baseline : str, optional
+        As of `suite`.
     out : path, optional
         A directory in which each motion is saved when it is done, until the call returns.
     resume : bool, optional
@@ -373,7 +377,7 @@ def compare(
         None or not a number is left out.
     suite : path
         A folder, a zip or a list (CSV) of records.
-    standing, limit_u, limit_v, both_directions, strict, resample, seed : optional
+    standing, limit_u, limit_v, both_directions, strict, baseline, resample, seed : optional
         As for `envelope`.
     scales : sequence of float or str, optional
         Factors on the motions for the reserve.
@@ -442,7 +446,7 @@ def fragility(suite: str | os.PathLike[str], *, progress: bool | Progress | None
         Unit of its levels, where they are accelerations: g or m/s2.
     resample : str, optional
         What is drawn for the intervals: event, recording or motion.
-    bootstrap, seed, samples, target, both_directions, strict : optional
+    bootstrap, seed, samples, target, both_directions, strict, baseline : optional
         As of the command.
     out, resume, tile : optional
         As for `envelope`.

@@ -37,6 +37,7 @@ WORDS = {
     "floor_period": ("float", "put the base on a floor, a linear oscillator of this period, s"),
     "floor_damping": ("float", "damping of the floor's oscillator, as a share of the critical one; by default 0.05"),
     "floor_factor": ("float", "factor on the oscillator's acceleration relative to the ground; by default 1"),
+    "baseline": ("str", "none or line: what is subtracted from the velocity of each component, the line nearest to it"),
     "pressure": ("str", "what presses on a friction pendulum: follows or constant"),
     "overturn": ("str", "critical-angle or quarter-turn"),
     "force": ("bool", "accept numbers that are not plausible"),

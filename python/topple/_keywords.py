@@ -154,6 +154,8 @@ class Record(TypedDict, total=False):
     floor_damping: float
     # factor on the oscillator's acceleration relative to the ground; by default 1
     floor_factor: float
+    # none or line: what is subtracted from the velocity of each component, the line nearest to it
+    baseline: str
     # SF, factor on both components; by default 1
     scale: Numbers
     # PGA_h [m/s²], scale both components so that the horizontal peak is this

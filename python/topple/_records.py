@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numbers
 import os
+import warnings
 from decimal import Decimal
 from pathlib import Path
 from typing import Any, Mapping
@@ -12,6 +13,8 @@ import numpy as np
 
 from ._help import parameters
 
+#: Values that stand for a missing sample in many files, with either sign.
+_MISSING = (999.0, 9999.0, 99999.0, 999.9, 999.99, 9999.9, 9999.99, 99999.9)
 _UNITS = {"g": 9.81, "m/s2": 1.0, "cm/s2": 0.01, "gal": 0.01}
 
 
@@ -60,19 +63,31 @@ def _checked(key: str, record: Any) -> np.ndarray:
     wrong = np.flatnonzero(~np.isfinite(samples))
     if wrong.size:
         raise ValueError(f"{key}: sample {wrong[0]} is no finite number")
+    missing = np.flatnonzero(np.isin(np.abs(samples), _MISSING))
+    if missing.size:
+        code = samples[missing[0]]
+        warnings.warn(f"{key}: sample {missing[0]} is exactly {code:g}, which stands for a missing sample in many files", stacklevel=2)
     return samples
 
 
 def _plausible(keywords: Mapping[str, Any], peak: float, units: Any) -> None:
-    """Refuses a motion so strong that its units must be others."""
+    """Refuses a motion so strong that its units must be others. What a factor makes of it is judged with the scene."""
     highest = parameters()["pga"]["plausible"][1]
-    scaled = peak * max(np.abs(np.atleast_1d(keywords["scale"])).max(), 0.0) if _is_number(keywords.get("scale")) else peak
+    scale = np.abs(np.atleast_1d(keywords["scale"])).max() if _is_number(keywords.get("scale")) else 1.0
+    scaled = peak * scale if scale < 1.0 else peak
     if scaled > highest and "pga" not in keywords and not keywords.get("force"):
         raise ValueError(f"units: in {units} the peak is {peak:.4g} m/s2, which is not plausible; give others, or force=True")
 
 
 def _is_number(value: Any) -> bool:
     return value is not None and np.asarray(value).dtype.kind in "iuf"
+
+
+def _no_path(key: str, record: Any) -> None:
+    """Refuses a file that is open, and the bytes of one."""
+    if hasattr(record, "read") or isinstance(record, (bytes, bytearray, memoryview)):
+        what = "an open file" if hasattr(record, "read") else "bytes"
+        raise ValueError(f"{key}: {what} is not read; give a path (str or Path)")
 
 
 def _is_file(record: Any) -> bool:
@@ -151,6 +166,8 @@ def taken(keywords: Mapping[str, Any]) -> dict[str, Any]:
     given = [record for record in (horizontal, vertical) if record is not None]
     if not given:
         return keywords
+    for key, record in (("horizontal", horizontal), ("vertical", vertical)):
+        _no_path(key, record)
     if all(_is_file(record) for record in given):
         for key in ("horizontal", "vertical"):
             record = keywords.get(key)
@@ -183,7 +200,7 @@ def taken(keywords: Mapping[str, Any]) -> dict[str, Any]:
         if key == "horizontal":
             _plausible(keywords, scale * float(np.abs(samples).max(initial=0.0)), own if units is None else units)
         components.append((float(dt) if step is None else step, (scale * samples).tolist(), title, origin))
-    keywords["motion"] = (*components, bool(keywords.get("force")))
+    keywords["motion"] = (*components, bool(keywords.get("force")), keywords.get("baseline"))
     del keywords["horizontal"]
     keywords.pop("vertical", None)
     return keywords

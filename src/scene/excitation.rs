@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::applies::Choice;
 use super::numbers::Numbers;
-use super::parameters::Parameter;
+use super::parameters::{ACCEPTED, Parameter};
 use super::record::treatment::GAP;
 use super::record::turned::turned;
 use super::record::{Pair, Provenance, Record, RecordFile, RecordHints, Treatment, Units};
@@ -102,6 +102,7 @@ impl RecordText {
         ];
         let file = files.into_iter().find(|(_, given)| *given).map(|(key, _)| key);
         file.or_else(|| self.treatment.given().next().map(|(key, _)| key))
+            .or_else(|| self.treatment.baseline.map(|_| "baseline"))
     }
 
     /// Refuses what says nothing without another key.
@@ -238,6 +239,7 @@ pub fn check_record(
         provenance.treatment = text.treatment;
     }
     let pair = treated(pair, text, &hints, directory, force)?;
+    check_factors(&pair, numbers, force)?;
     Ok(scaled(pair, numbers))
 }
 
@@ -256,7 +258,9 @@ pub(super) fn check_motion(
         return Err(SceneError::new("horizontal_2", problem));
     }
     let hints = hints_of(text, numbers)?;
-    Ok(scaled(treated(pair, text, &hints, directory, force)?, numbers))
+    let pair = treated(pair, text, &hints, directory, force)?;
+    check_factors(&pair, numbers, force)?;
+    Ok(scaled(pair, numbers))
 }
 
 /// What is said of all files of a record.
@@ -268,6 +272,7 @@ fn hints_of(text: &RecordText, numbers: &Numbers) -> Result<RecordHints, SceneEr
         dt: text.dt,
         units: text.units,
         scaled: numbers.get(Parameter::Pga).is_some(),
+        baseline: text.treatment.baseline,
         ..RecordHints::default()
     })
 }
@@ -342,6 +347,21 @@ fn treated(
     match floor_period {
         Some(period) => pair.floor(period, &text.treatment),
         None => Ok(pair),
+    }
+}
+
+/// Refuses factors of a scene that make more of a motion than a ground does, unless that is forced.
+///
+/// # Errors
+/// The key `scale`, with the factor and the peak after it.
+pub fn check_factors(pair: &Pair, numbers: &Numbers, force: bool) -> Result<(), SceneError> {
+    let factors = numbers.get(Parameter::Scale).into_iter().flat_map(Values::iter);
+    match factors
+        .filter_map(|factor| pair.beyond(factor))
+        .find(|beyond| !force || !beyond.is_finite())
+    {
+        Some(beyond) => Err(SceneError::new("scale", format!("{beyond}; {ACCEPTED}"))),
+        None => Ok(()),
     }
 }
 

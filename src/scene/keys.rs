@@ -45,6 +45,7 @@ enum Word {
     FloorPeriod,
     FloorDamping,
     FloorFactor,
+    Baseline,
     Overturn,
     Force,
     X,
@@ -76,6 +77,7 @@ impl Word {
                 Word::FloorPeriod,
                 Word::FloorDamping,
                 Word::FloorFactor,
+                Word::Baseline,
             ],
             Section::Run => &[Word::Overturn, Word::Force, Word::X, Word::Y],
         }
@@ -105,6 +107,7 @@ impl Word {
             Word::FloorPeriod => "floor_period",
             Word::FloorDamping => "floor_damping",
             Word::FloorFactor => "floor_factor",
+            Word::Baseline => "baseline",
             Word::Overturn => "overturn",
             Word::Force => "force",
             Word::X => "x",
@@ -236,6 +239,9 @@ impl<'de> Visitor<'de> for Fill<'_> {
                 Key::Word(Word::FloorFactor) => {
                     files(scene).treatment.floor_factor = Some(map.next_value()?);
                 }
+                Key::Word(Word::Baseline) => {
+                    files(scene).treatment.baseline = Some(map.next_value()?);
+                }
                 Key::Word(Word::Force) => scene.force = map.next_value()?,
                 Key::Word(Word::X) => scene.x = Some(map.next_value()?),
                 Key::Word(Word::Y) => scene.y = Some(map.next_value()?),
@@ -344,6 +350,7 @@ impl Serialize for Written<'_> {
                 Word::FloorPeriod => entry(&mut map, key, &record.treatment.floor_period)?,
                 Word::FloorDamping => entry(&mut map, key, &record.treatment.floor_damping)?,
                 Word::FloorFactor => entry(&mut map, key, &record.treatment.floor_factor)?,
+                Word::Baseline => entry(&mut map, key, &record.treatment.baseline)?,
                 Word::Force => entry(&mut map, key, &scene.force.then_some(true))?,
                 Word::X => entry(&mut map, key, &scene.x)?,
                 Word::Y => entry(&mut map, key, &scene.y)?,
@@ -405,6 +412,7 @@ mod tests {
                     | "floor_damping"
                     | "floor_factor" => "0.5",
                     "units" => "\"g\"",
+                    "baseline" => "\"line\"",
                     "overturn" => "\"quarter-turn\"",
                     "force" => "true",
                     "x" | "y" => "\"t_h\"",

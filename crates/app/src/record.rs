@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use topple::scene::excitation::RecordText;
-use topple::scene::record::{Treatment, Units};
+use topple::scene::record::{Baseline, Treatment, Units};
 
 use super::written::one_of;
 
@@ -63,6 +63,10 @@ pub struct RecordFlags {
     /// Factor on the oscillator's acceleration relative to the ground: participation factor times mode shape at the floor [default: 1]
     #[arg(long, value_name = "GAMMA", allow_hyphen_values = true)]
     floor_factor: Option<f64>,
+    /// What to subtract from the velocity of each component before anything else: the line through the start that is nearest to it,
+    /// for a record whose baseline is not corrected [default: none]
+    #[arg(long, value_name = "none|line", value_parser = one_of::<Baseline>())]
+    baseline: Option<Baseline>,
 }
 
 impl RecordFlags {
@@ -77,6 +81,7 @@ impl RecordFlags {
             floor_period: own.floor_period,
             floor_damping: own.floor_damping,
             floor_factor: own.floor_factor,
+            baseline: own.baseline,
         };
         RecordText {
             horizontal: own.horizontal,

@@ -5,17 +5,19 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 use topple::results::earlier::Kind;
-use topple::scene::record::Provenance;
+use topple::scene::record::{Baseline, Provenance};
 use topple::scene::{path_text, shown};
 use topple_pictures::drawing::render;
 use topple_pictures::studies::suite as picture;
 use topple_studies::suites::measures::Measures;
+use topple_studies::suites::read::Reading;
 use topple_studies::suites::{Entry, Motion, Suite, SuiteError, table};
 
 use super::inputs::PUT_BACK;
 use super::picture_flags::PictureFlags;
 use super::results_directory::Place;
 use super::words::{self, Reporter, with_columns};
+use super::written::one_of;
 use super::{InputError, examples};
 
 /// Read a folder, a zip or a list of records as one suite, and write a table of its motions.
@@ -34,6 +36,9 @@ pub struct SuiteCommand {
     /// Refuse a suite in which a file is missing, ambiguous or unused
     #[arg(long)]
     strict: bool,
+    /// What to subtract from the velocities of all components whose list says nothing of it, as for topple seismic [default: none]
+    #[arg(long, value_name = "none|line", value_parser = one_of::<Baseline>())]
+    baseline: Option<Baseline>,
     /// Print only warnings and errors
     #[arg(short, long)]
     quiet: bool,
@@ -144,7 +149,8 @@ impl SuiteCommand {
     /// Reads the suite and writes its table.
     pub fn run(&self) -> anyhow::Result<()> {
         let print = self.pictures.print().map_err(InputError)?;
-        let suite = Suite::read(&self.path, self.strict).map_err(input_error)?;
+        let reading = Reading { strict: self.strict, baseline: self.baseline };
+        let suite = Suite::read_as(&self.path, reading).map_err(input_error)?;
         let place = Place::of(&self.out, Kind::Suite)?;
         let say = Reporter::unless(self.quiet);
         let files = ["suite.csv", "suite.svg", "suite.png"];
@@ -163,6 +169,7 @@ impl SuiteCommand {
             unused: suite.unused.iter().map(|one| (&*one.file, &*one.why)).collect(),
             pictures: &self.pictures,
         };
+        warn_of_doubts(&suite);
         out.finish(&manifest)?;
         tell(&suite, &say);
         say.line("picture", out.file(files[2]).display());
@@ -176,9 +183,26 @@ pub fn left_out(suite: &Suite) -> BTreeMap<&str, &str> {
     suite.left_out().map(|(entry, why)| (entry.id.as_str(), why)).collect()
 }
 
-/// Says how many motions a suite has, and warns of lines that have none.
+/// Warns of motions whose samples may be wrong, the first of each kind with what it is.
+fn warn_of_doubts(suite: &Suite) {
+    let doubtful: Vec<_> =
+        suite.motions().filter(|(_, motion)| !motion.pair.doubts.is_empty()).collect();
+    if let Some((entry, motion)) = doubtful.first() {
+        let doubts: Vec<String> =
+            motion.pair.doubts.iter().map(|doubt| words::with_flags(doubt)).collect();
+        words::warn(format!(
+            "{} may have wrong samples, of which the first is {}: {}",
+            counted(doubtful.len(), "motion"),
+            entry.id,
+            doubts.join("; ")
+        ));
+    }
+}
+
+/// Says how many motions a suite has, and warns of lines that have none, and of motions that may be wrong.
 pub fn count(suite: &Suite, say: &Reporter) {
     say.line("suite", counted(suite.motions().count(), "motion"));
+    warn_of_doubts(suite);
     if let Some((first, why)) = suite.left_out().next() {
         words::warn(format!(
             "the suite has {} without a motion, left out, of which the first is {}: {why}; --strict refuses such suites, and topple suite \

@@ -8,9 +8,11 @@ use topple::results::shard::Shard;
 use topple::results::store_error::StoreError;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::device_numbers::DeviceNumbers;
+use topple::scene::record::Baseline;
 use topple::scene::{Parameter, Scene, Values, path_text};
 use topple::sweep::error::SweepError;
 use topple::sweep::settings::Method;
+use topple_studies::suites::read::Reading;
 use topple_studies::suites::swept::{SuiteJob, SuiteSweep};
 use topple_studies::suites::verified::Verified;
 use topple_studies::suites::{Suite, SuiteRequest, saved};
@@ -24,6 +26,7 @@ use super::progress::Screen;
 use super::results_directory::{self, Place};
 use super::suite::Source;
 use super::words::Reporter;
+use super::written::one_of;
 use super::{InputError, device_remarks, interrupt, suite, words};
 
 /// The motions, and how they are run. What is refused under a suite is not in the help: a friction, and a scene's file.
@@ -36,6 +39,9 @@ pub struct SuiteFlags {
     /// Refuse a suite in which a file is missing, ambiguous or unused
     #[arg(long, help_heading = "Suite")]
     strict: bool,
+    /// What to subtract from the velocities of all components whose list says nothing of it, as for topple seismic [default: none]
+    #[arg(long, value_name = "none|line", value_parser = one_of::<Baseline>(), help_heading = "Suite")]
+    baseline: Option<Baseline>,
     /// Take each motion twice, its horizontal component in both directions
     #[arg(long, help_heading = "Suite")]
     both_directions: bool,
@@ -191,7 +197,8 @@ impl SuiteFlags {
     /// Reads the suite; from here on Ctrl-C is heard.
     pub fn read(&self) -> Result<Suite, InputError> {
         interrupt::listen();
-        let suite = Suite::read(&self.suite, self.strict).map_err(suite::input_error)?;
+        let reading = Reading { strict: self.strict, baseline: self.baseline };
+        let suite = Suite::read_as(&self.suite, reading).map_err(suite::input_error)?;
         if let Some(Repeats { records, .. }) = &self.repeats {
             suite::unchanged(&suite, records).map_err(|problem| {
                 InputError(format!("--suite: {}: {problem}", self.suite.display()))

@@ -138,12 +138,15 @@ pub fn block(say: &Reporter, scene: &Scene) {
     }
 }
 
-/// The record of a scene, with what was decided of it.
+/// The record of a scene, with what was decided of it; what may be wrong with it is warned of.
 pub fn record(say: &Reporter, scene: &Scene) {
     if let Excitation::Record(pair) = &scene.excitation {
         say.line("record", format!("{}, {} samples at {} s", pair.title, pair.len(), pair.dt));
         for note in &pair.notes {
             say.line("", note);
+        }
+        for doubt in &pair.doubts {
+            warn(with_flags(doubt));
         }
     }
 }

@@ -242,6 +242,7 @@ mod tests {
             "floor_period",
             "floor_damping",
             "floor_factor",
+            "baseline",
             "force",
             "x",
             "y",

@@ -256,6 +256,8 @@ impl Records {
             }
         };
         let (peak, duration) = (pair.pga_h, pair.duration());
+        let doubts: String = pair.doubts.iter().map(|doubt| format!("; {doubt}")).collect();
+        let doubts = doubts.replace("`baseline` line", "topple seismic --baseline line");
         Ok(json!({
             "id": id,
             "title": pair.title,
@@ -263,7 +265,7 @@ impl Records {
             "duration": duration,
             "peak_h": peak,
             "peak_v": pair.pga_v,
-            "line": format!("{}: {duration:.2} s, largest acceleration {peak:.3} m/s²", pair.title),
+            "line": format!("{}: {duration:.2} s, largest acceleration {peak:.3} m/s²{doubts}", pair.title),
         }))
     }
 }

@@ -42,7 +42,7 @@ pub fn run(
         let scene = builder(&request.scene, Some(count))?;
         let mut asked = SuiteRequest::new(scene);
         asked.check_envelope(&limits)?;
-        let motions = asked.motions(&suite);
+        let motions = asked.motions(&suite)?;
         if let Some(first) = motions.first() {
             let grid = Grid::of(&first.under(&asked.scene)?);
             asked.settings.run = session.settings(request.precision.of(&grid));

@@ -91,6 +91,11 @@ impl Suites {
             return Err(Refused::of("suite", format!("no motion among these files: {why}")));
         }
         let left_out = suite.left_out().count();
+        let doubts =
+            match suite.motions().filter(|(_, motion)| !motion.pair.doubts.is_empty()).count() {
+                0 => String::new(),
+                doubtful => format!(", {doubtful} may have wrong samples: topple suite says why"),
+            };
         // What is stored is whole, whoever panicked.
         let mut kept = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         // One suite is looked at: the others are read again when they are.
@@ -100,10 +105,11 @@ impl Suites {
         while kept.len() > MOST {
             kept.pop_front();
         }
-        let line = match left_out {
+        let mut line = match left_out {
             0 => format!("{motions} motions"),
             _ => format!("{motions} motions, {left_out} left out"),
         };
+        line += &doubts;
         Ok(json!({ "id": id, "motions": motions, "left_out": left_out, "line": line }))
     }
 

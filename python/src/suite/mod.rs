@@ -13,16 +13,26 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use serde_json::json;
 use topple_studies::Suite;
+use topple_studies::suites::read::Reading;
 use topple_studies::suites::table;
 
 use crate::errors::of_suite;
+use crate::keywords::named_one;
 use crate::watch;
 use described::{described, text};
 
 /// Reads a suite: `(table, about)`, CSV and JSON.
 #[pyfunction]
-pub fn suite(py: Python<'_>, path: PathBuf, strict: bool) -> PyResult<(String, String)> {
-    let suite = watch::run_unheard(py, move || Suite::read(&path, strict))?.map_err(of_suite)?;
+pub fn suite(
+    py: Python<'_>,
+    path: PathBuf,
+    strict: bool,
+    baseline: Option<String>,
+) -> PyResult<(String, String)> {
+    let baseline = baseline.map(|word| named_one("baseline", &word)).transpose()?;
+    let reading = Reading { strict, baseline };
+    let suite =
+        watch::run_unheard(py, move || Suite::read_as(&path, reading))?.map_err(of_suite)?;
     let unused: BTreeMap<&str, &str> =
         suite.unused.iter().map(|unused| (&*unused.file, &*unused.why)).collect();
     let about = json!({

@@ -6,7 +6,7 @@ use super::hints::RecordHints;
 use super::lines::Lines;
 use super::numbers::{after, fixed, free, width};
 use super::stated::{seconds, tidy};
-use super::{Raw, RecordError, Stated, Step, Units};
+use super::{NOT_CORRECTED, Raw, RecordError, Stated, Step, Units};
 use crate::scene::shown::shown;
 
 /// True where the first line names the format.
@@ -114,6 +114,11 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
     stated.station = head()
         .find_map(|line| word(line, "Code:").or_else(|| word(line, "Statn No:")))
         .unwrap_or_default();
+    let first = channel.text.lines().next().unwrap_or_default().to_ascii_lowercase();
+    stated.corrected = match first {
+        first if first.contains("uncorrected") || first.contains("raw") => Some(false),
+        first => first.contains("corrected").then_some(true),
+    };
     stated.start = head().find_map(|line| behind(line, "Rcrd start time:")).and_then(seconds);
     let reals = header(&mut lines, "real", 15)?;
     lines.seek("samples", |line| line.contains("pts,"))?;
@@ -155,7 +160,8 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
         Some(cut) => fixed(line, cut),
         None => free(line),
     })?;
-    let notes = note.into_iter().chain(odd).chain(more).collect();
+    let as_recorded = (stated.corrected == Some(false)).then(|| NOT_CORRECTED.to_string());
+    let notes = note.into_iter().chain(odd).chain(more).chain(as_recorded).collect();
     Ok(Raw { title, stated, step, units, values, notes })
 }
 

@@ -5,7 +5,7 @@ use super::hints::RecordHints;
 use super::lines::Lines;
 use super::numbers::{free, number};
 use super::stated::{seconds, tidy};
-use super::{Raw, RecordError, Stated, Step};
+use super::{NOT_CORRECTED, Raw, RecordError, Stated, Step};
 use crate::scene::shown::shown;
 
 /// Lines of the header.
@@ -19,7 +19,7 @@ pub(crate) fn matches(text: &str) -> bool {
 pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
     let mut lines = Lines::of(text);
     let (mut name, mut event, mut network, mut station, mut stream) = ("", "", "", "", "");
-    let (mut location, mut start) = ("", None);
+    let (mut location, mut start, mut corrected) = ("", None, None);
     let (mut step, mut count, mut units) = (None, None, None);
     for _ in 0..HEADER {
         let at = lines.number();
@@ -38,6 +38,9 @@ pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
             "DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS" => start = seconds(value),
             "SAMPLING_INTERVAL_S" => step = number(value).map(Step::exact),
             "NDATA" => count = value.parse::<usize>().ok(),
+            "PROCESSING" => {
+                corrected = (!value.is_empty()).then(|| !value.eq_ignore_ascii_case("none"));
+            }
             "UNITS" => units = Some((at, value.to_string())),
             "DATA_TYPE" if !value.eq_ignore_ascii_case("acceleration") => {
                 let problem = format!("{} is no acceleration; give the ACC file", shown(value));
@@ -60,8 +63,11 @@ pub(crate) fn read(text: &str, _: &RecordHints) -> Result<Raw, RecordError> {
         component: Component::of_channel(stream).or_else(|| Component::named(stream)),
         azimuth: component::azimuth(stream),
         start,
+        corrected,
         ..Stated::default()
     };
     let title = format!("{name} {station} {stream}");
-    Ok(Raw { title, stated, step, units, values, notes: more.into_iter().collect() })
+    let as_recorded = (corrected == Some(false)).then(|| NOT_CORRECTED.to_string());
+    let notes = more.into_iter().chain(as_recorded).collect();
+    Ok(Raw { title, stated, step, units, values, notes })
 }

@@ -66,6 +66,7 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
     let second = whole(40) / 1000.0;
     stated.start = seconds(&format!("{year}/{month}/{day} {hour}:{minute}:{second}"));
     stated.event = [1, 2, 3, 4, 5].map(|place| whole(place).to_string()).join(" ");
+    stated.corrected = Some(!raw);
     let mut notes: Vec<String> = note.into_iter().collect();
     if raw {
         notes.push("an uncorrected accelerogram (volume 1)".into());

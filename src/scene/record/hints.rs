@@ -1,6 +1,6 @@
 //! What the user says of a record file.
 
-use super::Units;
+use super::{Baseline, Units};
 
 /// What the user says of a record file, where the file itself does not say it.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -18,6 +18,8 @@ pub struct RecordHints {
     pub second: bool,
     /// The channel that is wanted of such a file: its number, or its direction.
     pub channel: Option<String>,
+    /// What is subtracted from its velocity.
+    pub baseline: Option<Baseline>,
 }
 
 impl RecordHints {

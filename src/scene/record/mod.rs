@@ -2,6 +2,7 @@
 
 mod afad;
 pub(crate) mod at2;
+pub mod baseline;
 pub(crate) mod bbp;
 mod channel;
 mod clock;
@@ -9,13 +10,16 @@ pub(crate) mod columns;
 pub mod component;
 pub(crate) mod cosmos;
 pub(crate) mod csmip;
+mod dated;
 pub(crate) mod esm;
+pub(crate) mod fdsn;
 mod floor;
 pub(crate) mod geonet;
 mod hints;
 pub mod joined;
 pub(crate) mod knet;
 pub(crate) mod lines;
+mod missing;
 pub(crate) mod numbers;
 pub mod oscillator;
 mod other_programs;
@@ -40,9 +44,10 @@ pub mod zips;
 
 use super::bounded;
 
+pub use baseline::Baseline;
 pub use component::Component;
 pub use hints::RecordHints;
-pub use pair::Pair;
+pub use pair::{Beyond, Pair};
 pub use provenance::{Provenance, RecordFile, sha256};
 pub use stated::Stated;
 pub use treatment::Treatment;
@@ -61,6 +66,8 @@ pub struct Record {
     pub stated: Stated,
     /// The decisions of the reader, one sentence each.
     pub notes: Vec<String>,
+    /// What may be wrong with its samples, one sentence each.
+    pub doubts: Vec<String>,
 }
 
 impl Record {
@@ -79,6 +86,9 @@ impl Record {
 fn time_of(sample: usize, dt: f64) -> f64 {
     rounded(sample as f64 * dt, DIGITS)
 }
+
+/// What is said of a file whose accelerations are as they were recorded.
+const NOT_CORRECTED: &str = "not corrected by its file";
 
 /// Digits to which times are told: a product of binary numbers misses a decimal one beyond them.
 const DIGITS: usize = 13;

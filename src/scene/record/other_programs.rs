@@ -23,7 +23,7 @@ macro_rules! by_obspy {
 }
 
 /// How files of other programs begin.
-const BEGIN: [(&[u8], &str); 13] = [
+const BEGIN: [(&[u8], &str); 17] = [
     // The old format of Excel is an OLE file.
     (b"\xd0\xcf\x11\xe0", "a spreadsheet (.xls); save its sheet as CSV and give that"),
     (b"MS\x03", MINISEED),
@@ -34,6 +34,16 @@ const BEGIN: [(&[u8], &str); 13] = [
     (b"\x93NUMPY", by_python!("an array of NumPy (.npy)", "numpy.load")),
     (b"PAR1", by_python!("a table of Parquet", "pandas.read_parquet")),
     (b"WID2 ", by_obspy!("GSE2")),
+    (
+        b"version https://git-lfs.github.com/spec/",
+        "a pointer of Git LFS, not the file that it stands for; run git lfs pull, or download the file itself",
+    ),
+    (
+        b"/annex/objects/",
+        "a pointer of git-annex, not the file that it stands for; run git annex get",
+    ),
+    (b"[InternetShortcut]", "a shortcut to a page; download the file itself"),
+    (b"{\\rtf", "a document (.rtf); save it as plain text"),
     (b"7z\xbc\xaf\x27\x1c", "a 7z archive; unpack it and give the file"),
     (b"Rar!\x1a\x07", "a RAR archive; unpack it and give the file"),
     (b"\xfd7zXZ\0", "packed by xz; unpack it and give the file"),
@@ -62,6 +72,46 @@ pub(super) fn of(bytes: &[u8]) -> Option<&'static str> {
     BEGIN.iter().find(|(begins, _)| bytes.starts_with(begins)).map(|(_, what)| *what)
 }
 
+/// What a text of another kind is, and what to do with it: a page, XML, JSON, a list in brackets.
+pub(super) fn of_text(text: &str) -> Option<String> {
+    let start: String = text.trim_start().chars().take(4096).collect();
+    let start = start.to_ascii_lowercase();
+    let is_tag = |letter: char| letter.is_ascii_alphabetic() || matches!(letter, '!' | '?');
+    if start.strip_prefix('<').is_some_and(|rest| rest.starts_with(is_tag)) {
+        if ["<!doctype html", "<html", "<head", "<body"].iter().any(|tag| start.contains(tag)) {
+            let page = "a web page, not a record: perhaps what a site shows in place of the file (a login); download the file \
+                        itself";
+            return Some(page.into());
+        }
+        let kinds = [
+            ("quakeml", "QuakeML, which describes earthquakes"),
+            ("stationxml", "StationXML, which describes stations"),
+        ];
+        let kind =
+            kinds.iter().find(|(word, _)| start.contains(word)).map_or("XML", |(_, kind)| kind);
+        return Some(format!("{kind}, not a record; give the file of accelerations"));
+    }
+    // A list is closed at the end of the text; a name may stand before it, as a program's variable has one.
+    let first = start.lines().next().unwrap_or_default();
+    let (before, inner) = first.split_once(['[', '{', '('])?;
+    let is_name = before.chars().all(|c| c.is_alphanumeric() || " _.=".contains(c));
+    let inner = match inner.trim_start() {
+        "" => start.split_once(['[', '{', '('])?.1.trim_start(),
+        inner => inner,
+    };
+    let of_json = |c: char| matches!(c, '"' | '{' | '[' | '\'');
+    let of_numbers = |c: char| c.is_ascii_digit() || matches!(c, '-' | '+' | '.' | '[' | '(');
+    if !is_name
+        || !text.trim_end().ends_with([']', '}', ')', ';'])
+        || !inner.starts_with(|c| of_json(c) || of_numbers(c))
+    {
+        return None;
+    }
+    let is_json = start.starts_with('{') || inner.starts_with(['{', '"']);
+    let kind = if is_json { "JSON" } else { "a list in brackets" };
+    Some(format!("{kind}; write its values as text, one a line, without brackets and names"))
+}
+
 /// What a zip with files of these names is, and what to do with it.
 pub(super) fn of_zip(names: &[String]) -> Option<&'static str> {
     let has = |name: &str| names.iter().any(|one| one == name);
@@ -78,7 +128,42 @@ pub(super) fn of_zip(names: &[String]) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{of, of_zip};
+    use super::{of, of_text, of_zip};
+
+    #[test]
+    fn texts_of_other_kinds_are_told_and_headings_are_not() {
+        for (text, said) in [
+            ("<?xml version=\"1.0\"?>\n<q:quakeml xmlns:q=\"\"/>", "QuakeML, which"),
+            ("<q:quakeml>", "QuakeML, which"),
+            ("<?xml version=\"1.0\"?>\n<FDSNStationXML/>", "StationXML, which"),
+            ("<nrml>", "XML, not a record"),
+            ("<?xml version=\"1.0\"?><!DOCTYPE html><html>", "a web page"),
+            ("[1.0e-3, 2.0e-3]", "a list in brackets"),
+            ("[ -0.1 0.2\n 0.3]", "a list in brackets"),
+            ("[[0, 1], [2, 3]]", "a list in brackets"),
+            ("array([0.1, 0.2])", "a list in brackets"),
+            ("acc = [0.1 0.2\n0.3];", "a list in brackets"),
+            ("c(0.1,\n0.2)", "a list in brackets"),
+            ("[\n0.1,\n0.2\n]\n", "a list in brackets"),
+            ("{\"dt\": 0.01}", "JSON"),
+            ("[\n {\"a\": 1}]", "JSON"),
+        ] {
+            let what = of_text(text).unwrap_or_default();
+            assert!(what.starts_with(said) && what.contains("; "), "{text}: {what}");
+        }
+        for text in [
+            "",
+            "1\n2",
+            "[Points, ground]\n1\n2",
+            "[g]\n1",
+            "< 1\n2",
+            "{acc}\n1",
+            "[1] acc\n1\n2",
+            "acc (0.01 s)\n1\n2",
+        ] {
+            assert_eq!(of_text(text), None, "{text}");
+        }
+    }
 
     #[test]
     fn files_of_other_programs_are_told_with_what_to_do() {
@@ -95,6 +180,7 @@ mod tests {
             (b"\x89HDF\r\n\x1a\n", "HDF5"),
             (b"\x93NUMPY\x01", "numpy.load"),
             (b"BZh91AY", "bzip2"),
+            (b"version https://git-lfs.github.com/spec/v1\noid sha256:00", "a pointer of Git LFS"),
         ] {
             let what = of(bytes).unwrap();
             assert!(what.contains(said) && what.contains("; "), "{what}");

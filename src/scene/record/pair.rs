@@ -1,5 +1,6 @@
 //! A horizontal record and a vertical one on common time steps.
 
+use std::fmt;
 use std::sync::Arc;
 
 use serde::de::IgnoredAny;
@@ -8,6 +9,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::lines::MOST_SAMPLES;
 use super::steps::{SHORTEST_STEP, Steps, at};
 use super::{DIGITS, Provenance, Record, RecordError, rounded, time_of};
+use crate::scene::{GRAVITY, Parameter};
 
 /// The ground motion of a scene: both components, evenly sampled, of equal length.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -30,9 +32,49 @@ pub struct Pair {
     pub factor: f64,
     /// The decisions of the reader, one sentence each.
     pub notes: Vec<String>,
+    /// What may be wrong with the samples, one sentence each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub doubts: Vec<String>,
     /// Where it came from; none of a motion that was made. It is no part of a run's identity.
     #[serde(skip)]
     pub provenance: Option<Box<Provenance>>,
+}
+
+/// A factor that makes more of a motion than any ground has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Beyond {
+    factor: f64,
+    /// The peak after it, m/s^2.
+    peak: f64,
+}
+
+impl Beyond {
+    /// False where the samples are no numbers after it.
+    pub fn is_finite(&self) -> bool {
+        self.peak.is_finite()
+    }
+}
+
+impl fmt::Display for Beyond {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        // A number of hundreds of digits says no more.
+        let short = |number: f64| match number.abs() {
+            1.0e6.. => format!("{number:e}"),
+            _ => number.to_string(),
+        };
+        let [peak, in_g] = [self.peak, self.peak / GRAVITY].map(|peak| short(rounded(peak, 4)));
+        let (factor, most) = (short(self.factor), largest_peak());
+        write!(
+            f,
+            "the factor {factor} makes the peak {peak} m/s2 ({in_g} g), which is not plausible (up to {most} m/s2; a factor is meant, \
+             not percent)"
+        )
+    }
+}
+
+/// The largest peak that is plausible, m/s^2: the same before a factor, after it, and of one that is given.
+fn largest_peak() -> f64 {
+    Parameter::Pga.entry().plausible.1
 }
 
 /// A manifest tells how many samples there are.
@@ -65,12 +107,16 @@ impl Pair {
 
     /// The same of records that are known to be some, and to have few samples together.
     pub(super) fn brought(horizontal: Record, vertical: Option<Record>, steps: Steps) -> Pair {
-        let mut notes: Vec<String> = Vec::new();
-        notes.extend(horizontal.notes.iter().map(|note| format!("horizontal: {note}")));
+        let of = |name: &str, told: &[String]| -> Vec<String> {
+            told.iter().map(|note| format!("{name}: {note}")).collect()
+        };
+        let mut notes = of("horizontal", &horizontal.notes);
+        let mut doubts = of("horizontal", &horizontal.doubts);
         let mut title = horizontal.title.clone();
         let mut lengths = [horizontal.samples.len(), 0];
         if let Some(vertical) = &vertical {
-            notes.extend(vertical.notes.iter().map(|note| format!("vertical: {note}")));
+            notes.extend(of("vertical", &vertical.notes));
+            doubts.extend(of("vertical", &vertical.doubts));
             title = format!("{title} + {}", vertical.title);
             lengths[1] = vertical.samples.len();
         }
@@ -101,6 +147,7 @@ impl Pair {
             pga_v: 0.0,
             factor: 1.0,
             notes,
+            doubts,
             provenance: None,
         };
         pair.measure();
@@ -115,6 +162,13 @@ impl Pair {
         self.notes.push(format!("both components scaled by {factor:.6}"));
         self.measure();
         self
+    }
+
+    /// What a factor makes of the peak, where that is more than any ground has.
+    pub fn beyond(&self, factor: f64) -> Option<Beyond> {
+        let peak = factor.abs() * self.pga_h.max(self.pga_v);
+        let is_more = !(peak <= largest_peak());
+        (is_more && factor != 1.0).then_some(Beyond { factor, peak })
     }
 
     /// The same motion with the horizontal component in the other direction.

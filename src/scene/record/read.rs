@@ -10,8 +10,8 @@ use super::packed;
 use super::provenance::sha256;
 use super::steps::SHORTEST_STEP;
 use super::text::{self, LARGEST, SMALL, printable};
-use super::{Raw, Record, RecordError, RecordFile, Stated, Step, Units};
-use super::{afad, at2, bbp, columns, cosmos, csmip, esm, geonet, knet, sac, smc};
+use super::{Raw, Record, RecordError, RecordFile, Stated, Step, Units, missing};
+use super::{afad, at2, bbp, columns, cosmos, csmip, esm, fdsn, geonet, knet, sac, smc};
 use crate::scene::shown::shown;
 use crate::scene::{GRAVITY, bounded};
 use crate::written::Written;
@@ -77,7 +77,7 @@ pub fn bytes(bytes: &[u8], hints: &RecordHints) -> Result<Record, RecordError> {
 type Format = (&'static str, fn(&str) -> bool, fn(&str, &RecordHints) -> Result<Raw, RecordError>);
 
 /// The formats, in the order in which they are looked for: any text may be columns.
-const FORMATS: [Format; 10] = [
+const FORMATS: [Format; 11] = [
     ("AFAD", afad::matches, afad::read),
     ("K-NET", knet::matches, knet::read),
     ("ESM", esm::matches, esm::read),
@@ -87,6 +87,7 @@ const FORMATS: [Format; 10] = [
     ("CSMIP", csmip::matches, csmip::read),
     ("PEER AT2", at2::matches, at2::read),
     ("Broadband Platform", bbp::matches, bbp::read),
+    ("FDSN text", fdsn::matches, fdsn::read),
     (COLUMNS, |_| true, columns::read),
 ];
 
@@ -198,7 +199,8 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> 
     };
     let samples: Vec<f64> = values.iter().map(|value| value * units.factor()).collect();
     let stated = Stated { event: short(&stated.event), station: short(&stated.station), ..stated };
-    let record = Record { title, dt, samples, stated, notes };
+    let doubts = missing::told(&values).into_iter().collect();
+    let record = Record { title, dt, samples, stated, notes, doubts };
     let peak = record.peak() / GRAVITY;
     // A ground that does not move vertically may be given as zeros.
     if peak == 0.0 && hints.vertical == Some(true) {
@@ -216,7 +218,7 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> 
         );
         return Err(RecordError::whole(problem));
     }
-    Ok((record, units))
+    Ok((record.on_baseline(hints.baseline), units))
 }
 
 /// A text of a file as titles have it.

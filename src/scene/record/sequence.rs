@@ -42,7 +42,11 @@ impl Pair {
                 notes.push(format!("the {pair} record resampled from {own} s to {dt} s"));
             }
         }
-        notes.extend(next.notes.iter().map(|note| format!("second record: {note}")));
+        let of_next = |told: &[String]| -> Vec<String> {
+            told.iter().map(|note| format!("second record: {note}")).collect()
+        };
+        notes.extend(of_next(&next.notes));
+        let doubts = [self.doubts.clone(), of_next(&next.doubts)].concat();
         notes.push(format!(
             "'{}' follows at {begins} s, after {} s of zeros",
             next.title,
@@ -54,6 +58,7 @@ impl Pair {
             horizontal: joined(&self.horizontal, &next.horizontal),
             vertical: joined(&self.vertical, &next.vertical),
             notes,
+            doubts,
             ..self
         };
         pair.measure();

@@ -17,6 +17,8 @@ pub struct Stated {
     pub azimuth: Option<f64>,
     /// When the first sample was taken, s from an epoch that all records share.
     pub start: Option<f64>,
+    /// Whether its accelerations are corrected.
+    pub corrected: Option<bool>,
     /// The channel that was requested, of a file with several.
     pub channel: Option<String>,
     /// All channels of a file with several: the number that each is chosen by, and its component.

@@ -18,20 +18,11 @@ const LONGEST_LINE: usize = 1 << 24;
 /// What it is, where it is no text, and what to do.
 pub fn decoded(bytes: &[u8]) -> Result<String, RecordError> {
     let text = plain::of(bytes);
-    let start: String = text.trim_start().chars().take(64).collect();
-    let start = start.to_ascii_lowercase();
-    if ["<!doctype html", "<html", "<?xml", "<head", "<body"]
-        .iter()
-        .any(|tag| start.starts_with(tag))
-    {
-        let problem = "a web page, not a record: perhaps what a site shows in place of the file \
-                       (a login); download the file itself";
-        return Err(RecordError::whole(problem));
-    }
     if bytes.starts_with(b"%PDF") {
         return Err(RecordError::whole("a PDF, not a record; give the file of numbers"));
     }
-    if let Some(problem) = other_programs::of(bytes) {
+    let other = other_programs::of(bytes).map(String::from);
+    if let Some(problem) = other.or_else(|| other_programs::of_text(&text)) {
         return Err(RecordError::whole(problem));
     }
     if text.chars().take(1024).any(|c| c == '\0') {
@@ -44,6 +35,11 @@ pub fn decoded(bytes: &[u8]) -> Result<String, RecordError> {
         return Err(RecordError::line(before + 1, problem));
     }
     Ok(text)
+}
+
+/// Bytes as text in whatever encoding, whatever they are.
+pub fn plain(bytes: &[u8]) -> String {
+    plain::of(bytes)
 }
 
 /// A name or a title from a file as it is shown, in one line: a blank for a line break or a tab, and without other characters

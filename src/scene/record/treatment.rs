@@ -1,7 +1,8 @@
-//! What is made of a record's components before they shake a base: the numbers.
+//! What is made of a record's components before they shake a base.
 
 use serde::{Deserialize, Serialize};
 
+use super::Baseline;
 use crate::scene::SceneError;
 
 /// Zeros between two records that follow one another by default, s.
@@ -9,7 +10,7 @@ pub const GAP: f64 = 30.0;
 /// Damping of a floor's oscillator by default.
 pub const DAMPING: f64 = 0.05;
 
-/// The numbers of what is made of a record, as written.
+/// What is made of a record, as written.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Treatment {
@@ -34,6 +35,9 @@ pub struct Treatment {
     /// Factor on its acceleration relative to the ground
     #[serde(skip_serializing_if = "Option::is_none")]
     pub floor_factor: Option<f64>,
+    /// What is subtracted from the velocity of each component
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub baseline: Option<Baseline>,
 }
 
 impl Treatment {
@@ -42,7 +46,7 @@ impl Treatment {
         *self == Treatment::default()
     }
 
-    /// The keys and their values, as far as they are given.
+    /// The keys of numbers and their values, as far as they are given.
     pub fn given(&self) -> impl Iterator<Item = (&'static str, f64)> {
         let all = [
             ("azimuth", self.azimuth),

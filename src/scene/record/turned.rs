@@ -76,7 +76,9 @@ pub(in crate::scene) fn turned(
             + factors[1] * at(&other.samples, k, steps.parts[1])
     });
     let mut notes = one.notes;
-    notes.extend(other.notes.into_iter().map(|note| format!("second component: {note}")));
+    let of_second = |note: String| format!("second component: {note}");
+    notes.extend(other.notes.into_iter().map(of_second));
+    let doubts = one.doubts.into_iter().chain(other.doubts.into_iter().map(of_second)).collect();
     notes.push(format!(
         "turned to {azimuth} degrees, of '{}' at {first} and '{}' at {second} degrees",
         one.title, other.title
@@ -87,6 +89,7 @@ pub(in crate::scene) fn turned(
         samples: samples.collect(),
         stated: one.stated,
         notes,
+        doubts,
     })
 }
 

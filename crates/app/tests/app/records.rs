@@ -131,6 +131,79 @@ fn what_is_no_record_is_refused_with_its_line() {
 }
 
 #[test]
+fn rows_that_begin_with_dates_are_read_and_aligned_by_them() {
+    let rows = |stamp: &dyn Fn(u32) -> String| -> String {
+        let row = |k: u32| format!("{},{:.4}\n", stamp(k), (0.3 * f64::from(k)).sin());
+        (0..40).map(row).collect()
+    };
+    let of = |heading: &str, stamp: &dyn Fn(u32) -> String| {
+        let text = format!("{heading}{}", rows(stamp));
+        read::bytes(text.as_bytes(), &RecordHints::default())
+            .unwrap_or_else(|e| panic!("{text}: {e}"))
+    };
+    let plain = of("time (s),acc (m/s2)\n", &|k| format!("{:.2}", 0.01 * f64::from(k)));
+    let iso = |k: u32| format!("2003-01-02T03:04:{:05.2}", 59.8 + 0.01 * f64::from(k));
+    for (heading, stamp) in [
+        (
+            "Time,acc (m/s2)\n",
+            &(|k| format!("03:04:{:09.6}", 5.0 + 0.01 * f64::from(k))) as &dyn Fn(u32) -> String,
+        ),
+        ("Time (UTC),acc (m/s2)\n", &|k| {
+            format!("2003-01-02T03:04:{:05.2}Z", 5.0 + 0.01 * f64::from(k))
+        }),
+        ("date,acc (m/s2)\n", &|k| {
+            format!("\"02/01/2003 23:59:{:05.2}\"", 5.0 + 0.01 * f64::from(k))
+        }),
+        ("time,acc (m/s2)\n", &|k| match k {
+            0 => "0 days 00:00:00".into(),
+            k => format!("0 days 00:00:00.{:06}", 10_000 * k),
+        }),
+    ] {
+        let dated = of(heading, stamp);
+        assert_eq!((dated.dt, &dated.samples), (0.01, &plain.samples), "{heading}");
+        assert!(
+            dated.notes.iter().any(|note| note.starts_with("its rows begin with dates")),
+            "{:?}",
+            dated.notes
+        );
+    }
+    // A row that is missing, and a component that begins later.
+    let cut = |k: u32| iso(if k < 20 { 0 } else { 1 } + k).replace("04:60.", "05:00.");
+    let cut = format!("Time,acc (m/s2)\n{}", rows(&cut));
+    let error = read::bytes(cut.as_bytes(), &RecordHints::default()).unwrap_err().to_string();
+    assert!(error.starts_with("line 22: a sample is missing"), "{error}");
+    let later = |by: f64| {
+        let stamp = |k: u32| format!("2003-01-02T03:04:{:05.2}", by + 0.01 * f64::from(k));
+        format!("Time,acc (m/s2)\n{}", rows(&stamp))
+    };
+    let pair = pair_of(&later(5.0), &later(5.1).replace("0.9", "0.8"), true).unwrap();
+    assert!(
+        pair.notes.iter().any(|note| note.contains("0.1 s of zeros put before it")),
+        "{:?}",
+        pair.notes
+    );
+    // What is no such time says what is.
+    let error =
+        read::bytes(b"time,acc (g)\n3:4,0.1\n3:5,0.2\n", &RecordHints::default()).unwrap_err();
+    assert!(error.to_string().contains("2003-01-02T03:04:05.01"), "{error}");
+}
+
+#[test]
+fn codes_of_missing_samples_are_doubted_in_every_format() {
+    let rows: String = (0..200)
+        .map(|k| match k {
+            70 | 71 => format!("{:.2},-999.00000\n", 0.01 * f64::from(k)),
+            _ => format!("{:.2},{:.5}\n", 0.01 * f64::from(k), 300.0 * (0.3 * f64::from(k)).sin()),
+        })
+        .collect();
+    let text = format!("time (s),acc (cm/s2)\n{rows}");
+    let doubts = |text: &str| read::bytes(text.as_bytes(), &RecordHints::default()).unwrap().doubts;
+    let missing = doubts(&text).into_iter().find(|doubt| doubt.contains("missing")).unwrap();
+    assert!(missing.starts_with("2 samples are exactly -999, number 71 first"), "{missing}");
+    assert!(doubts(&text.replace("-999.", "-299.")).iter().all(|doubt| !doubt.contains("missing")));
+}
+
+#[test]
 fn unequal_components_are_brought_together() {
     let record = |dt: f64, samples: &[f64]| Record {
         title: "x".into(),

@@ -7,6 +7,8 @@ use std::path::Path;
 use approx::assert_relative_eq;
 use assert_cmd::Command;
 use tempfile::TempDir;
+use topple::scene::record::Baseline;
+use topple_studies::suites::read::Reading;
 use topple_studies::suites::{Suite, SuiteError};
 
 use crate::motions::Motion;
@@ -391,4 +393,280 @@ fn every_file_that_is_not_used_is_told() {
     at("_SearchResults.xlsx", b"PK");
     let (code, said) = told(folder.path(), &[]);
     assert!(code == 2 && said.contains("_SearchResults.xlsx: a list in a spreadsheet"), "{said}");
+}
+
+/// A pipe, a socket or a device is no file: it is named, and nothing waits for it.
+#[test]
+#[cfg(unix)]
+fn what_is_no_file_in_a_folder_is_named_and_not_opened() {
+    let folder = records();
+    let at = |name: &str| folder.path().join(name);
+    let made =
+        std::process::Command::new("mkfifo").arg(at("notes.txt")).arg(at("B090.AT2")).status();
+    assert!(made.unwrap().success());
+    let _socket = std::os::unix::net::UnixListener::bind(at("socket.csv")).unwrap();
+    std::os::unix::fs::symlink("/dev/zero", at("C090.AT2")).unwrap();
+    std::os::unix::fs::symlink(at("notes.txt"), at("list.csv")).unwrap();
+    let suite = Suite::read(folder.path(), false).unwrap();
+    assert_eq!((suite.rows.len(), suite.motions().count()), (1, 1));
+    let mut others: Vec<&str> = suite.unused.iter().map(|one| one.file.as_str()).collect();
+    others.sort_unstable();
+    assert_eq!(others, ["B090.AT2", "C090.AT2", "list.csv", "notes.txt", "socket.csv"]);
+    assert!(suite.unused.iter().all(|one| one.why == "a pipe, a socket or a device, no file"));
+    assert!(matches!(Suite::read(folder.path(), true), Err(SuiteError::Unused { count: 5, .. })));
+    // As a list, or in a zip's place.
+    for name in ["notes.txt", "C090.AT2"] {
+        let error = Suite::read(&at(name), false).unwrap_err().to_string();
+        assert!(error.contains("a pipe or a device"), "{error}");
+    }
+    let error = Suite::read(Path::new("/dev/null"), false).unwrap_err().to_string();
+    assert!(error.contains("/dev/null: a pipe or a device"), "{error}");
+}
+
+/// A list is its files: nothing else in its folder is looked at.
+#[test]
+#[cfg(unix)]
+fn a_list_reads_the_files_that_it_names_and_no_others() {
+    let folder = records();
+    put(folder.path(), "sub/B090.AT2", Some(90));
+    let list = folder.path().join("list.csv");
+    fs::write(&list, "id,horizontal,vertical\none,A090.AT2,A-UP.AT2\ntwo,sub/B090.AT2,\n").unwrap();
+    // Another list in the folder that is refused shows who looks at it.
+    fs::write(folder.path().join("other.csv"), "id,horizontal,nonsense\nx,A090.AT2,1\n").unwrap();
+    assert_eq!(Suite::read(&list, true).unwrap().motions().count(), 2);
+    assert!(Suite::read(folder.path(), false).is_err());
+    // A path that leads out of the folder, or behind a link, is no file of it.
+    let other = records();
+    std::os::unix::fs::symlink(other.path(), folder.path().join("link")).unwrap();
+    let out = format!("../{}/A090.AT2", other.path().file_name().unwrap().to_str().unwrap());
+    fs::write(&list, format!("id,horizontal,vertical\none,link/A090.AT2,\ntwo,{out},A-UP.AT2\nthree,A090.AT2,A-UP.AT2\n")).unwrap();
+    let suite = Suite::read(&list, false).unwrap();
+    let why = suite.left_out().next().unwrap().1;
+    assert!(why.starts_with("link/A090.AT2 lies behind link, a link to a folder"), "{why}");
+    let paths = suite
+        .motions()
+        .map(|(_, motion)| motion.pair.provenance.as_ref().unwrap().horizontal.path.clone());
+    assert!(paths.into_iter().all(|path| path.starts_with(folder.path())));
+}
+
+/// Names that are no text are read, and told with their bytes as URLs have them.
+#[test]
+#[cfg(target_os = "linux")]
+fn names_that_are_no_text_do_not_vanish() {
+    use std::os::unix::ffi::OsStrExt;
+    let folder = records();
+    let named = |bytes: &[u8]| folder.path().join(std::ffi::OsStr::from_bytes(bytes));
+    for (from, to) in [("A090.AT2", &b"B\xe9090.AT2"[..]), ("A-UP.AT2", b"B\xe9-UP.AT2")] {
+        fs::rename(folder.path().join(from), named(to)).unwrap();
+    }
+    fs::write(named(b"\xff.txt"), "mine").unwrap();
+    let suite = Suite::read(folder.path(), false).unwrap();
+    let (entry, motion) = suite.motions().next().unwrap();
+    assert_eq!((entry.id.as_str(), entry.vertical.as_deref()), ("B%E9090", Some("B%E9-UP.AT2")));
+    assert_eq!(motion.pair.provenance.as_ref().unwrap().horizontal.path, named(b"B\xe9090.AT2"));
+    assert_eq!(suite.unused[0].file, "%FF.txt");
+    assert!(matches!(Suite::read(folder.path(), true), Err(SuiteError::Unused { count: 1, .. })));
+}
+
+/// A folder that cannot be looked into is left out, and named. Who may look into all folders sees no such one.
+#[test]
+#[cfg(unix)]
+fn a_folder_that_cannot_be_read_is_left_out_and_named() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = records();
+    let lost = folder.path().join("lost+found");
+    fs::create_dir(&lost).unwrap();
+    fs::set_permissions(&lost, fs::Permissions::from_mode(0o000)).unwrap();
+    let may = fs::read_dir(&lost).is_ok();
+    let suite = Suite::read(folder.path(), false).unwrap();
+    fs::set_permissions(&lost, fs::Permissions::from_mode(0o700)).unwrap();
+    assert_eq!(suite.motions().count(), 1);
+    let told: Vec<&str> = suite.unused.iter().map(|one| one.file.as_str()).collect();
+    assert_eq!(told, if may { vec![] } else { vec!["lost+found"] });
+}
+
+/// Tables that give files of the suite their factors, and are no lists, are refused; what only speaks of the files is told.
+#[test]
+fn tables_of_factors_beside_a_suite_are_refused() {
+    let of = |name: &str, text: &str| {
+        let folder = records();
+        put(folder.path(), "B090.AT2", Some(90));
+        put(folder.path(), "B-UP.AT2", None);
+        fs::write(folder.path().join(name), text).unwrap();
+        Suite::read(folder.path(), false)
+    };
+    let cs_select = "Files are at a place\n a\n b\n\nRecord Number\tScale Factor\tFile Name Dir. 1\tFile Name Dir. 2\tURL\n\
+                     1\t1.50\tA090.AT2\tA-UP.AT2\tx\n2\t2.50\tB090.AT2\tB-UP.AT2\tx\n";
+    let events = "{\"Events\": [{\"Records\": [{\"factor\": 1.5, \"fileName\": \"A090.AT2\"},\n\
+                  {\"factor\": 2.5, \"fileName\": \"B090.AT2\"}]}]}";
+    for (name, text) in [
+        ("Output_File.dat", cs_select),
+        ("events.json", events),
+        ("pairs.txt", "A090.AT2 1.5\nB090.AT2 2.5\n"),
+        ("factors", "A090.AT2: 1.5\nB090.AT2: 2.5\n"),
+        (
+            "set.xml",
+            "<?xml version=\"1.0\"?>\n<set><m file=\"A090.AT2\" scale=\"2\"/><m file=\"B090.AT2\" scale=\"3\"/></set>\n",
+        ),
+        ("set.tcl", "set factor(A090.AT2) 1.5\nset factor(B090.AT2) 2.5\n"),
+        ("semicolons.dat", "gm/A090.AT2;1.5\ngm/B090.AT2;2.5\n"),
+    ] {
+        let error = of(name, text).unwrap_err().to_string();
+        assert!(
+            error.contains(name) && error.contains("it names ") && error.contains("a list"),
+            "{error}"
+        );
+    }
+    for (name, text) in [
+        ("readme.txt", "A090.AT2 and B090.AT2 are made up, 200 samples each\n"),
+        ("readme.md", "| A090.AT2 | scale factor 1.5 |\n| B090.AT2 | 2.5 |\n"),
+    ] {
+        let suite = of(name, text).unwrap();
+        assert_eq!(
+            suite.unused[0].why,
+            "it names A090.AT2 and others; nothing in it is applied to them"
+        );
+    }
+    // One file that is named is no table; and a list holds whatever lies beside it.
+    assert_eq!(
+        of("x.txt", "factor of A090.AT2: 1.5\n").unwrap().unused[0].why,
+        "its name tells no component"
+    );
+    let folder = records();
+    put(folder.path(), "B090.AT2", Some(90));
+    fs::write(
+        folder.path().join("list.csv"),
+        "horizontal,vertical,scale\nA090.AT2,A-UP.AT2,1.5\nB090.AT2,,2.5\n",
+    )
+    .unwrap();
+    fs::write(folder.path().join("events.json"), events).unwrap();
+    assert!(
+        Suite::read(folder.path(), false).unwrap().unused[0]
+            .why
+            .contains("nothing in it is applied")
+    );
+}
+
+/// What topple has written of the suite into its folder names its files with factors, and is no table of them.
+#[test]
+fn results_in_the_folder_of_a_suite_are_no_table() {
+    let folder = records();
+    put(folder.path(), "B090.AT2", Some(90));
+    put(folder.path(), "B-UP.AT2", None);
+    let suite = |out: &Path| {
+        Command::cargo_bin("topple")
+            .unwrap()
+            .arg("suite")
+            .arg(folder.path())
+            .arg("--out")
+            .arg(out)
+            .assert()
+            .success()
+    };
+    suite(&folder.path().join("out"));
+    let read = Suite::read(folder.path(), false).unwrap();
+    let told = |name: &str| &read.unused.iter().find(|one| one.file.ends_with(name)).unwrap().why;
+    assert!(told("run.json").contains("nothing in it is applied to them"), "{}", told("run.json"));
+    assert_eq!(told("suite.csv"), "a table that topple suite has made");
+}
+
+/// A stream that was recorded and corrected counts once; by its name, or by what its file states. A list says what is meant.
+#[test]
+fn one_stream_in_two_processings_counts_once() {
+    let folder = TempDir::new().unwrap();
+    for (word, processing) in [("U", "none"), ("C", "manual")] {
+        for (channel, azimuth) in [("HNE", Some(90)), ("HNN", Some(0)), ("HNZ", None)] {
+            let mut motion = Motion::made(200, azimuth);
+            let less = 0.01 * f64::from(u8::from(word == "U"))
+                + 0.1 * f64::from(u8::from(azimuth == Some(0)));
+            motion.samples.iter_mut().for_each(|a| *a *= 1.0 - less);
+            let text =
+                motion.esm().text.replacen("KEY_0: ", &format!("PROCESSING: {processing}"), 1);
+            let text = text.replace("STREAM: HNE", &format!("STREAM: {channel}"));
+            assert!(text.contains("PROCESSING"), "{text}");
+            let name = format!("XX.ABC.00.{channel}.D.20010203.040506.{word}.ACC.ASC");
+            fs::write(folder.path().join(name), text).unwrap();
+        }
+    }
+    let suite = Suite::read(folder.path(), false).unwrap();
+    let ids: Vec<&str> = suite.motions().map(|(entry, _)| entry.id.as_str()).collect();
+    assert_eq!(ids.len(), 2, "{ids:?}");
+    assert!(ids.iter().all(|id| id.contains(".C.")), "{ids:?}");
+    let (left_out, why) = suite.left_out().next().unwrap();
+    assert!(
+        left_out.id.contains(".U.")
+            && why.starts_with("not corrected; the corrected record of the same stream is XX."),
+        "{why}"
+    );
+    // Without the corrected ones the others are motions, with a note.
+    for entry in fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().path()) {
+        if entry.to_str().unwrap().contains(".C.") {
+            fs::remove_file(entry).unwrap();
+        }
+    }
+    let suite = Suite::read(folder.path(), false).unwrap();
+    assert_eq!(suite.motions().count(), 2);
+    assert!(suite.motions().all(|(entry, _)| {
+        entry.notes.iter().any(|note| note.ends_with("not corrected by its file"))
+    }));
+    // Folders say it, too.
+    let folders = TempDir::new().unwrap();
+    put(folders.path(), "Raw/A090.AT2", Some(90));
+    put(folders.path(), "Raw/A-UP.AT2", None);
+    put(folders.path(), "Processed/A090.AT2", Some(90));
+    put(folders.path(), "Processed/A-UP.AT2", None);
+    let suite = Suite::read(folders.path(), false).unwrap();
+    assert_eq!(suite.motions().next().unwrap().0.horizontal, "Processed/A090.AT2");
+    assert_eq!((suite.motions().count(), suite.rows.len()), (1, 2));
+    let list = folders.path().join("list.csv");
+    fs::write(&list, "horizontal,vertical\nRaw/A090.AT2,\nProcessed/A090.AT2,\n").unwrap();
+    assert_eq!(Suite::read(&list, false).unwrap().motions().count(), 2);
+}
+
+/// A factor of a list is bounded as a peak is, and a baseline is a column, a flag's default, and a note.
+#[test]
+fn factors_and_baselines_of_a_list_are_judged() {
+    let folder = records();
+    let list = folder.path().join("list.csv");
+    let of = |text: &str, baseline| {
+        fs::write(&list, text).unwrap();
+        Suite::read_as(&list, Reading { strict: true, baseline })
+    };
+    let scaled =
+        |scale: &str| format!("id,horizontal,vertical,scale\none,A090.AT2,A-UP.AT2,{scale}\n");
+    // A peak of some 3 m/s2.
+    assert!(of(&scaled("10"), None).is_ok());
+    for scale in ["150", "1e5"] {
+        let error = of(&scaled(scale), None).unwrap_err().to_string();
+        let factor: f64 = scale.parse().unwrap();
+        assert!(error.contains(&format!("one: the factor {factor} makes the peak")), "{error}");
+    }
+    for scale in ["inf", "nan", "-1"] {
+        let error = of(&scaled(scale), None).unwrap_err().to_string();
+        assert!(error.contains("line 2: scale"), "{error}");
+    }
+    let mut off = Motion::made(400, Some(90));
+    off.samples.iter_mut().for_each(|a| *a += 0.3);
+    fs::write(folder.path().join("off.AT2"), off.at2().text).unwrap();
+    let lined = "id,horizontal,vertical,baseline\nno,off.AT2,,none\nyes,off.AT2,A-UP.AT2,line\nblank,off.AT2,A090.AT2,\n";
+    assert!(of(lined, None).is_err_and(|error| error.to_string().contains("blank")));
+    let lined = "id,horizontal,vertical,baseline\nno,off.AT2,,none\nyes,off.AT2,A-UP.AT2,line\n";
+    let suite = of(lined, None).unwrap();
+    let rows: Vec<_> = suite.motions().collect();
+    let said = |row: usize, what: &str| rows[row].0.notes.iter().any(|note| note.contains(what));
+    assert!(
+        said(0, "horizontal: the ground ends with the velocity") && !said(0, "baseline: an offset")
+    );
+    assert!(
+        said(1, "horizontal: baseline: an offset of 0.3") && !said(1, "ends with the velocity")
+    );
+    let treatment = rows[1].1.pair.provenance.as_ref().unwrap().treatment;
+    assert_eq!(treatment.baseline, Some(Baseline::Line));
+    // A line that says nothing is as the flag says.
+    let blank = "id,horizontal,vertical,baseline\none,off.AT2,A-UP.AT2,\n";
+    let (with, without) = (of(blank, Some(Baseline::Line)).unwrap(), of(blank, None).unwrap());
+    let pgv = |suite: &Suite| suite.motions().next().unwrap().1.measures.pgv;
+    assert!(pgv(&with) < 0.5 * pgv(&without), "{} {}", pgv(&with), pgv(&without));
+    let error = of(&blank.replace("A-UP.AT2,", "A-UP.AT2,poly"), None).unwrap_err().to_string();
+    assert!(error.contains("line 2: baseline poly is not known; give none or line"), "{error}");
 }

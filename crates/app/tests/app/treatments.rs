@@ -92,6 +92,161 @@ fn what_is_made_of_a_record_is_in_run_json_and_made_again() {
     }
 }
 
+/// A file of 20 s whose ground ends at rest, or with the velocity of an offset.
+fn on_offset(folder: &Path, name: &str, offset: f64) -> String {
+    let mut text = String::from("time (s),acc (m/s2)\n");
+    for k in 0..=2000 {
+        let t = 0.01 * f64::from(k);
+        let a = 3.0
+            * (0.05 * std::f64::consts::PI * t).sin().powi(2)
+            * (2.0 * std::f64::consts::PI * t).sin();
+        text.push_str(&format!("{t:.2},{:.6}\n", a + offset));
+    }
+    let path = folder.join(name);
+    fs::write(&path, text).unwrap();
+    path.to_str().unwrap().to_string()
+}
+
+#[test]
+fn an_offset_is_warned_of_and_a_line_takes_it_away() {
+    let folder = TempDir::new().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let clean = on_offset(folder.path(), "clean.csv", 0.0);
+    let off = on_offset(folder.path(), "off.csv", 0.3);
+    let run = |more: &[&str], out: &str| {
+        let base = ["--u-y", "0.01", "--psi", "0.1", "--xi-h", "0"];
+        let run = Command::cargo_bin("topple")
+            .unwrap()
+            .args(CELL)
+            .args(base)
+            .args(more)
+            .arg("--out")
+            .arg(at(out))
+            .output();
+        let run = run.unwrap();
+        let said = String::from_utf8(run.stderr).unwrap();
+        assert!(run.status.success(), "{said}");
+        let max_u = json(&at(out))["result"]["max_u"].as_f64();
+        (said, max_u, json(&at(out)))
+    };
+    let warning = "horizontal: the ground ends with the velocity 6 m/s, ";
+    let (said, _, _) = run(&["--horizontal", &clean], "clean");
+    assert!(!said.contains("the ground ends"), "{said}");
+    let (said, _, manifest) = run(&["--horizontal", &off], "off");
+    assert!(said.contains(warning) && said.contains("--baseline line subtracts"), "{said}");
+    assert!(manifest["warnings"].to_string().contains(warning), "{manifest}");
+    let (said, _, manifest) = run(&["--horizontal", &off, "--baseline", "line"], "line");
+    assert!(!said.contains("the ground ends"), "{said}");
+    let pair = &manifest["scene"]["excitation"]["record"];
+    assert!(
+        pair["notes"].to_string().contains("an offset of 0.3 m/s2 (0.0306 g) subtracted"),
+        "{pair}"
+    );
+    assert_eq!(manifest["record"]["treatment"]["baseline"], "line");
+    // From its results it is the same motion, to the byte.
+    let first = fs::read(at("line").join("history.csv")).unwrap();
+    let again = Command::cargo_bin("topple")
+        .unwrap()
+        .arg("run")
+        .arg(at("line"))
+        .arg("--out")
+        .arg(at("again"))
+        .output();
+    assert!(again.unwrap().status.success());
+    assert_eq!(fs::read(at("again").join("history.csv")).unwrap(), first);
+    // In a scene's file, and refused there and here.
+    let scene = at("scene.toml");
+    let text = "[block]\nobject = 1\n\n[base]\nt_h = 1.75\nt_v = 0.75\nu_y = 0.01\npsi = 0.1\nxi_h = 0\n\n[record]\n\
+                horizontal = \"off.csv\"\nbaseline = \"line\"\n";
+    fs::write(&scene, text).unwrap();
+    let history = |scene: &Path, out: &Path| {
+        let run = Command::cargo_bin("topple")
+            .unwrap()
+            .args(["history"])
+            .arg(scene)
+            .arg("--out")
+            .arg(out)
+            .output();
+        run.unwrap()
+    };
+    assert!(history(&scene, &at("file")).status.success());
+    assert_eq!(fs::read(at("file").join("history.csv")).unwrap(), first);
+    fs::write(&scene, text.replace("\"line\"", "\"poly\"")).unwrap();
+    assert_eq!(history(&scene, &at("no")).status.code(), Some(2));
+    let said = refused(&["seismic", "--object", "1", "--horizontal", &off, "--baseline", "poly"]);
+    assert!(said.contains("--baseline"), "{said}");
+}
+
+#[test]
+fn a_factor_that_no_ground_has_is_refused_and_forced() {
+    let folder = TempDir::new().unwrap();
+    // A peak of 0.4 g.
+    let a = component(folder.path(), "a.at2", "228", 300);
+    let out = folder.path().join("out");
+    let of = |more: &[&str]| {
+        let line = [
+            "seismic",
+            "--object",
+            "1",
+            "--isolation",
+            "none",
+            "--verify",
+            "none",
+            "--horizontal",
+            &a,
+        ];
+        [&line[..], more, &["--out", out.to_str().unwrap()]]
+            .concat()
+            .into_iter()
+            .map(String::from)
+            .collect::<Vec<_>>()
+    };
+    let refused = |more: &[&str]| refused(&of(more).iter().map(String::as_str).collect::<Vec<_>>());
+    for (scale, wanted) in [
+        ("150", "--scale: the factor 150 makes the peak 588"),
+        ("-150", "--scale: the factor -150 makes the peak 588"),
+        ("1,30", "--scale: the factor 30 makes the peak 117"),
+        ("1:60:4", "--scale: the factor 40.3"),
+    ] {
+        let said = refused(&["--scale", scale]);
+        assert!(said.contains(wanted) && said.contains("--force accepts it"), "{said}");
+    }
+    assert!(refused(&["--scale=inf"]).contains("--scale"));
+    assert!(refused(&["--scale=nan"]).contains("--scale"));
+    // Under a suite, too: of one factor, and of several.
+    let list = folder.path().join("list.csv");
+    fs::write(&list, "id,horizontal\none,a.at2\n").unwrap();
+    let base = [
+        "--object",
+        "1",
+        "--u-y",
+        "0.01",
+        "--t-h",
+        "1",
+        "--t-v",
+        "0.5",
+        "--suite",
+        list.to_str().unwrap(),
+    ];
+    for (command, scale, factor) in
+        [("envelope", "150", "150"), ("envelope", "1,30", "30"), ("fragility", "1,30", "30")]
+    {
+        let said = crate::common::refused(
+            &[&[command], &base[..], &["--scale", scale, "--out", out.to_str().unwrap()]].concat(),
+        );
+        assert!(
+            said.contains(&format!("--scale: one: the factor {factor} makes the peak")),
+            "{said}"
+        );
+    }
+    let huge = refused(&["--scale", "1e308", "--force"]);
+    assert!(huge.contains("--scale: the factor"), "{huge}");
+    for more in [&["--scale", "25"][..], &["--scale", "150", "--force"]] {
+        let run = Command::cargo_bin("topple").unwrap().args(of(more)).output().unwrap();
+        assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    }
+}
+
 #[test]
 fn a_floor_bears_the_synthetic_pair_too() {
     let folder = TempDir::new().unwrap();

@@ -193,7 +193,8 @@ impl FragilityRequest {
     pub fn open(&self, suite: &Suite) -> Result<FragilityJob, SweepError> {
         self.check()?;
         let (asked, factors) = self.with_factors();
-        let mut motions = asked.motions(suite);
+        self.suite.check_scales(suite)?;
+        let mut motions = asked.motions(suite)?;
         if let Some(factors) = factors {
             motions.iter_mut().for_each(|motion| motion.factors.clone_from(&factors));
         }

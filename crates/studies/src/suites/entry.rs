@@ -2,7 +2,7 @@
 
 use super::measures::Measures;
 use topple::scene::record::text::printable;
-use topple::scene::record::{Pair, Units};
+use topple::scene::record::{Baseline, Pair, Units};
 
 /// Largest factor or weight of a motion: beyond it none is meant.
 pub const MOST_FACTOR: f64 = 1.0e6;
@@ -28,6 +28,8 @@ pub struct Entry {
     pub dt: Option<f64>,
     /// Units of the values, where a list tells them.
     pub units: Option<Units>,
+    /// What is subtracted from the velocity of both components.
+    pub baseline: Option<Baseline>,
     /// Factor on both components.
     pub scale: f64,
     /// How much it counts among the others.
@@ -36,6 +38,10 @@ pub struct Entry {
     pub notes: Vec<String>,
     /// Why it is no motion, where that is known before its files are read.
     pub missing: Option<String>,
+    /// True of a line of a list.
+    pub(super) listed: bool,
+    /// The stream that it was made of, by its name and by what its file states, and whether it is a corrected one.
+    pub(super) streams: Vec<(String, bool)>,
 }
 
 /// A motion of a suite.
@@ -66,10 +72,13 @@ impl Entry {
             horizontal_alone: false,
             dt: None,
             units: None,
+            baseline: None,
             scale: 1.0,
             weight: 1.0,
             notes: Vec::new(),
             missing: None,
+            listed: false,
+            streams: Vec::new(),
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
+use topple::scene::record::Beyond;
 use topple::scene::shown::shown;
 
 /// Why files are no suite.
@@ -32,6 +33,16 @@ pub enum SuiteError {
         path: PathBuf,
         /// What is wrong, where, and what to do.
         problem: String,
+    },
+    /// A factor of a list that makes more of a motion than any ground has.
+    #[error("{path}: {id}: {beyond}; correct it", id = shown(id))]
+    Factor {
+        /// The suite.
+        path: PathBuf,
+        /// The motion.
+        id: String,
+        /// The factor, and the peak after it.
+        beyond: Beyond,
     },
     /// Motions that are too large together.
     #[error(

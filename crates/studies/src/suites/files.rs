@@ -1,21 +1,20 @@
-//! The files of a suite: those of a folder and of its folders, or those in a zip.
+//! The files of a suite: those of a folder and of its folders, those in a zip, or those that a list names.
 
-use std::collections::HashMap;
-use std::fs::{self, File};
+use std::ffi::{OsStr, OsString};
+use std::fs::File;
 use std::io::{self, BufReader, Read};
 use std::ops::Deref;
 use std::path::{Component, Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 use zip::ZipArchive;
 
-use super::SuiteError;
+use super::found::Found;
+use super::{SuiteError, Unused};
 use topple::scene::bounded;
-use topple::scene::record::zips::{self, MOST_FILES};
+use topple::scene::record::zips;
 
-/// Folders within folders that are looked into.
-const DEPTH: usize = 6;
 /// Largest file that is read, bytes.
 const LARGEST: u64 = 256 << 20;
 /// A smaller one may be read beside others: more of them at once would fill the memory.
@@ -28,11 +27,8 @@ pub struct Files {
     place: PathBuf,
     /// Open, where it is a zip.
     archive: Option<Mutex<ZipArchive<BufReader<File>>>>,
-    names: Vec<String>,
-    /// Those of a zip that are written otherwise in it: Windows' programs have backslashes between.
-    written: HashMap<String, String>,
-    /// The places among the names of those that have one last part, in small letters.
-    alike: HashMap<String, Vec<usize>>,
+    /// What is there. Beside a list it is looked for where a file is not at its path alone.
+    found: OnceLock<Found>,
     /// Bytes that were read.
     read: AtomicU64,
     /// Held by the one large file that is at hand.
@@ -53,61 +49,47 @@ impl Deref for Bytes<'_> {
     }
 }
 
-/// The last part of a name, in small letters.
-fn bare(name: &str) -> String {
-    name.rsplit('/').next().unwrap_or_default().to_lowercase()
-}
-
 impl Files {
     /// Those of a folder, of a zip, or beside a list.
     ///
     /// # Errors
-    /// Those of reading.
+    /// Those of reading; what is neither a folder nor a file.
     pub fn of(path: &Path) -> Result<Files, SuiteError> {
+        let reason = |reason| SuiteError::Read { path: path.into(), reason };
         // A list that is not there is not the folder that it would be in.
-        if let Err(reason) = path.metadata() {
-            return Err(SuiteError::Read { path: path.into(), reason });
-        }
+        let about = path.metadata().map_err(reason)?;
         let is_zip = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("zip"));
-        let place = if path.is_dir() || is_zip {
-            path
-        } else {
-            path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
-        };
-        let (mut names, mut archive, mut written) = (Vec::new(), None, HashMap::new());
-        if is_zip {
-            let opened = open(place)?;
-            for name in opened.file_names() {
-                let name = name.map_err(|error| unreadable(place, error.to_string()))?;
-                let plain = name.replace('\\', "/");
-                // A Mac packs what it knows of a file beside it.
-                let hidden = bare(&plain).starts_with('.') || plain.starts_with("__MACOSX/");
-                if plain.ends_with('/') || hidden {
-                    continue;
-                }
-                if plain != *name {
-                    written.insert(plain.clone(), name.into_owned());
-                }
-                names.push(plain);
-            }
+        let (mut place, mut archive, mut found) = (path, None, OnceLock::new());
+        if about.is_dir() {
+            found = Found::in_folder(path).map_err(reason)?.into();
+        } else if !about.is_file() {
+            let problem = "a pipe or a device, which lies in no folder of records; save the list as a file beside them";
+            return Err(SuiteError::List { path: path.into(), problem: problem.into() });
+        } else if is_zip {
+            let opened = open(path)?;
+            found = Found::in_zip(&opened).map_err(|problem| unreadable(path, problem))?.into();
             archive = Some(Mutex::new(opened));
         } else {
-            let reason = |reason| SuiteError::Read { path: place.into(), reason };
-            look(place, "", 0, &mut names).map_err(reason)?;
-        }
-        // The order of a folder is the system's.
-        names.sort();
-        let mut alike: HashMap<String, Vec<usize>> = HashMap::new();
-        for (number, name) in names.iter().enumerate() {
-            alike.entry(bare(name)).or_default().push(number);
+            let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+            place = folder.unwrap_or(Path::new("."));
         }
         let (read, large) = (AtomicU64::new(0), Mutex::new(()));
-        Ok(Files { place: place.into(), archive, names, written, alike, read, large })
+        Ok(Files { place: place.into(), archive, found, read, large })
+    }
+
+    /// What is there; beside a list nothing where its folder cannot be looked into.
+    fn found(&self) -> &Found {
+        self.found.get_or_init(|| Found::in_folder(&self.place).unwrap_or_default())
     }
 
     /// All names, in alphabetical order.
     pub fn names(&self) -> &[String] {
-        &self.names
+        &self.found().names
+    }
+
+    /// What is no file, and folders that cannot be looked into.
+    pub fn others(&self) -> &[Unused] {
+        &self.found().others
     }
 
     /// The name of a file that the list `of` has under a name: the path from the list's own folder, or from the suite's; or of
@@ -115,24 +97,28 @@ impl Files {
     ///
     /// # Errors
     /// Why there is none.
-    pub fn find(&self, listed: &str, of: &str) -> Result<&str, String> {
+    pub fn find(&self, listed: &str, of: &str) -> Result<String, String> {
         let plain = listed.replace('\\', "/");
         let plain = plain.trim_start_matches("./");
         let folder = of.rsplit_once('/').map_or(String::new(), |(folder, _)| format!("{folder}/"));
         let beside = format!("{folder}{plain}");
         let none = || format!("{listed} is in the list and not among the files");
-        let alike = self.alike.get(&bare(plain)).map_or(&[][..], Vec::as_slice);
-        let alike: Vec<&str> = alike.iter().map(|number| self.names[*number].as_str()).collect();
-        let same = |wanted: &str| alike.iter().copied().find(|name| *name == wanted);
-        if let Some(same) = same(&beside).or_else(|| same(plain)) {
-            return Ok(same);
+        let places = [beside.as_str(), plain];
+        // Nothing else is looked at where a file is at its path.
+        let is_there = |name: &&str| match self.found.get() {
+            Some(found) => found.alike(plain).contains(name),
+            None => is_within(name) && self.path(name).is_file() && self.link(name).is_none(),
+        };
+        if let Some(name) = places.into_iter().find(is_there) {
+            return Ok(name.into());
         }
-        if let Some(link) = [&beside, plain].into_iter().find_map(|name| self.link(name)) {
+        if let Some(link) = places.into_iter().find_map(|name| self.link(name)) {
             return Err(format!(
                 "{listed} lies behind {link}, a link to a folder, and links to folders are not followed; put the files \
                  themselves, or links to them, beside the list"
             ));
         }
+        let alike = self.found().alike(plain);
         // Folders that they have in common, from the file on.
         let common = |name: &str| {
             let parts = name.rsplit('/').zip(beside.rsplit('/'));
@@ -141,7 +127,7 @@ impl Files {
         let most = alike.iter().map(|name| common(name)).max().unwrap_or(0);
         let mut nearest = alike.iter().filter(|name| common(name) == most);
         match (nearest.next(), nearest.next()) {
-            (Some(one), None) => Ok(one),
+            (Some(one), None) => Ok((*one).into()),
             (Some(one), Some(other)) => {
                 Err(format!("{listed} may be {one} or {other}; give its folder in the list"))
             }
@@ -161,18 +147,27 @@ impl Files {
         });
         let parts: Vec<&str> = parts.collect::<Option<_>>()?;
         let folders = (1..parts.len()).map(|count| parts[..count].join("/"));
-        let found = self.archive.is_none() && self.path(name).is_file();
+        let found = self.archive.is_none() && is_within(name) && self.path(name).is_file();
         folders.filter(|_| found).find(|folder| self.path(folder).is_symlink())
     }
 
     /// True where there is a file of such a name in some folder.
     pub fn has(&self, listed: &str) -> bool {
-        self.alike.contains_key(&bare(&listed.replace('\\', "/")))
+        !self.found().alike(&listed.replace('\\', "/")).is_empty()
     }
 
     /// Where a file lies; of a zip's, the name is below the zip's own.
     pub fn path(&self, name: &str) -> PathBuf {
-        self.place.join(name)
+        let written = self.found.get().and_then(|found| found.written.get(name));
+        self.place.join(written.map_or(OsStr::new(name), OsString::as_os_str))
+    }
+
+    /// The bytes of a file that may be none of the suite's, if it has `most` at most: they count among no others.
+    pub fn peek(&self, name: &str, most: u64) -> Option<Vec<u8>> {
+        if self.archive.is_some() {
+            return self.read(name).ok().map(|read| read.bytes);
+        }
+        bounded::read(&self.path(name), most).ok()
     }
 
     /// The bytes of a file.
@@ -184,7 +179,8 @@ impl Files {
             Some(archive) => {
                 // An archive is as it was, whoever panicked: each file is looked for by its place.
                 let mut archive = archive.lock().unwrap_or_else(PoisonError::into_inner);
-                let name = self.written.get(name).map_or(name, String::as_str);
+                let written = self.found().written.get(name).and_then(|name| name.to_str());
+                let name = written.unwrap_or(name);
                 let file = archive.by_name(name).map_err(|error| error.to_string())?;
                 self.all(file)
             }
@@ -235,26 +231,7 @@ fn unreadable(place: &Path, reason: String) -> SuiteError {
     SuiteError::Zip { path: place.into(), reason }
 }
 
-/// Adds the names of a folder's files, `before` before them. A link to a folder is not followed, as it may lead out of the suite
-/// or round in a circle; its own name stands among the files, and is told as one that is not used.
-fn look(folder: &Path, before: &str, depth: usize, names: &mut Vec<String>) -> io::Result<()> {
-    for entry in fs::read_dir(folder)? {
-        let entry = entry?;
-        let kind = entry.file_type()?;
-        // A name that is no text is no record's.
-        let Ok(name) = entry.file_name().into_string() else { continue };
-        if name.starts_with('.') {
-            continue;
-        }
-        let name = format!("{before}{name}");
-        if kind.is_dir() && depth < DEPTH {
-            look(&entry.path(), &format!("{name}/"), depth + 1, names)?;
-        } else if !kind.is_dir() {
-            names.push(name);
-        }
-        if names.len() > MOST_FILES {
-            return Err(io::Error::other(format!("more than {MOST_FILES} files")));
-        }
-    }
-    Ok(())
+/// True of a path that leads to no place outside of its folder.
+fn is_within(name: &str) -> bool {
+    Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
 }

@@ -174,7 +174,9 @@ fn by_fields(files: &[String], all: &Files) -> Vec<Group> {
         } else {
             let event = stated.event.to_lowercase();
             let how = format!("paired by what the files state, station {}", shown(&stated.station));
-            ([folder, stated.format.into(), event, station], how)
+            // A stream that is not corrected is no component of one that is.
+            let format = format!("{} {:?}", stated.format, stated.corrected);
+            ([folder, format, event, station], how)
         };
         for (part, component) in parts {
             let group = groups.entry(key.clone()).or_default();
@@ -189,7 +191,7 @@ fn by_fields(files: &[String], all: &Files) -> Vec<Group> {
 
 /// What a file states, if it is a record of a size that is looked into.
 fn stated(file: &str, all: &Files) -> Option<Stated> {
-    let bytes = all.read(file).ok().filter(|bytes| bytes.len() <= LARGEST)?;
+    let bytes = all.peek(file, LARGEST as u64)?;
     read::bytes(&bytes, &RecordHints::default()).ok().map(|record| record.stated)
 }
 

@@ -8,13 +8,14 @@ use serde::Deserialize;
 use super::delimited;
 use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
-use topple::scene::record::Units;
 use topple::scene::record::text::printable;
 use topple::scene::record::zips::MOST_FILES;
+use topple::scene::record::{Baseline, Units};
 use topple::scene::shown::shown;
+use topple::written::Written;
 
 /// The columns that a list may have.
-const COLUMNS: [&str; 11] = [
+const COLUMNS: [&str; 12] = [
     "id",
     "event",
     "station",
@@ -24,6 +25,7 @@ const COLUMNS: [&str; 11] = [
     "vertical_channel",
     "dt",
     "units",
+    "baseline",
     "scale",
     "weight",
 ];
@@ -40,6 +42,7 @@ struct Row {
     vertical_channel: Option<String>,
     dt: Option<String>,
     units: Option<String>,
+    baseline: Option<String>,
     scale: Option<String>,
     weight: Option<String>,
 }
@@ -63,6 +66,15 @@ fn units(at: usize, text: Option<&str>) -> Result<Option<Units>, String> {
         Some(units) => Ok(Some(units)),
         None => Err(format!("line {at}: units {text} are not known; give g, m/s2, cm/s2 or gal")),
     }
+}
+
+/// What is subtracted from the velocity of a line; none where nothing is written.
+fn baseline(at: usize, text: Option<&str>) -> Result<Option<Baseline>, String> {
+    let Some(text) = text.filter(|text| !text.is_empty()) else { return Ok(None) };
+    let known = Baseline::of_key(text);
+    known
+        .map(Some)
+        .ok_or_else(|| format!("line {at}: baseline {text} is not known; give none or line"))
 }
 
 /// Most lines of a list: each may have files of its own, of which no more are looked at.
@@ -171,7 +183,7 @@ pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, String>
                     .push("no vertical in the list: the ground does not move vertically".into());
             }
             Some(up) => {
-                let found = files.find(up, name).map(String::from);
+                let found = files.find(up, name);
                 entry.missing =
                     entry.missing.or(found.as_ref().err().map(|why| format!("its vertical {why}")));
                 entry.vertical = found.ok();
@@ -187,6 +199,7 @@ pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, String>
             entry.notes.push(format!("weight {}", entry.weight));
         }
         entry.units = units(at, row.units.as_deref())?;
+        entry.baseline = baseline(at, row.baseline.as_deref())?;
         entry.channels = [row.horizontal_channel, row.vertical_channel]
             .map(|channel| channel.filter(|channel| !channel.is_empty()));
         // Files of one name in two folders get ids of their own.

@@ -102,7 +102,7 @@ pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, String>
             entry.missing = there.err();
             let up = field(vertical);
             if !up.is_empty() {
-                let found = files.find(up, name).map(String::from);
+                let found = files.find(up, name);
                 entry.missing =
                     entry.missing.or(found.as_ref().err().map(|why| format!("its vertical {why}")));
                 entry.vertical = found.ok();

@@ -11,10 +11,10 @@ use super::entry::{Entry, Motion};
 use super::files::Files;
 use super::measures::Measures;
 use super::unused::{self, Unused};
-use super::{SuiteError, grouped, list, peer};
+use super::{SuiteError, grouped, list, peer, processing};
 use topple::scene::parameters::ACCEPTED;
 use topple::scene::record::zips::MOST_FILES;
-use topple::scene::record::{Pair, Record, RecordFile, joined, text};
+use topple::scene::record::{Baseline, Pair, Record, RecordFile, joined, text};
 use topple::scene::record::{RecordHints, read};
 use topple::scene::{bounded, shown};
 
@@ -32,14 +32,31 @@ pub struct Suite {
     pub unused: Vec<Unused>,
 }
 
+/// How a suite is read.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Reading {
+    /// Refuses what is missing, ambiguous or unused; else it is a row without a motion, or a file in the list of unused ones.
+    pub strict: bool,
+    /// What is subtracted from the velocities of motions whose list says nothing of it.
+    pub baseline: Option<Baseline>,
+}
+
 impl Suite {
     /// Reads a suite: a folder or a zip, with PEER's list or by what the names of its files or the files state, or a list beside its
     /// files.
-    /// `strict` refuses what is missing, ambiguous or unused; else it is a row without a motion, or a file in the list of unused ones.
     ///
     /// # Errors
     /// Those of [`SuiteError`]: nothing can be read, a list is invalid, there are no files.
     pub fn read(path: &Path, strict: bool) -> Result<Suite, SuiteError> {
+        Suite::read_as(path, Reading { strict, ..Reading::default() })
+    }
+
+    /// The same with all that can be said of the reading.
+    ///
+    /// # Errors
+    /// Those of [`read`](Suite::read).
+    pub fn read_as(path: &Path, reading: Reading) -> Result<Suite, SuiteError> {
+        let Reading { strict, baseline } = reading;
         let files = Files::of(path)?;
         let (entries, unused) = entries(path, &files)?;
         let entries = with_own_ids(entries);
@@ -50,6 +67,7 @@ impl Suite {
         let rows: Vec<_> = entries
             .into_par_iter()
             .map(|mut entry| {
+                entry.baseline = entry.baseline.or(baseline);
                 // Names in it may be of any length.
                 let motion = motion(&mut entry, &files, &samples).map_err(|why| shown::line(&why));
                 (entry, motion)
@@ -59,7 +77,9 @@ impl Suite {
             return Err(SuiteError::Large { path: path.into(), most: MOST_SAMPLES });
         }
         let mut suite = Suite { rows, unused };
+        suite.check_factors(path)?;
         suite.leave_out_copies();
+        suite.leave_out_uncorrected();
         if let (None, Some((entry, reason))) = (suite.motions().next(), suite.left_out().next()) {
             let (id, reason) = (entry.id.clone(), reason.to_string());
             return Err(SuiteError::NoMotion { count: suite.rows.len(), id, reason });
@@ -75,6 +95,19 @@ impl Suite {
             return Err(SuiteError::Unused { count: suite.unused.len(), file, why });
         }
         Ok(suite)
+    }
+
+    /// Refuses factors of a list that make more of a motion than any ground has.
+    fn check_factors(&self, path: &Path) -> Result<(), SuiteError> {
+        for (entry, motion) in self.motions() {
+            let [pga_h, pga_v] =
+                [motion.pair.pga_h, motion.pair.pga_v].map(|peak| peak / entry.scale);
+            let before = Pair { pga_h, pga_v, ..motion.pair.clone() };
+            if let Some(beyond) = before.beyond(entry.scale) {
+                return Err(SuiteError::Factor { path: path.into(), id: entry.id.clone(), beyond });
+            }
+        }
+        Ok(())
     }
 
     /// Leaves out what is there twice, in two lists or under two names: of each motion the first stays, unless
@@ -143,10 +176,11 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), Suit
             .map_err(|reason| SuiteError::Read { path: path.into(), reason })?;
         let text = text::decoded(&bytes).map_err(|error| refused(path, error.to_string()))?;
         let read = if peer::matches(&text) { peer::read } else { list::read };
-        return Ok((read(&text, "", files).map_err(|problem| refused(path, problem))?, Vec::new()));
+        let entries = read(&text, "", files).map_err(|problem| refused(path, problem))?;
+        return Ok((of_list(entries), Vec::new()));
     }
     for name in files.names().iter().filter(|name| ending(name, "csv") || ending(name, "tsv")) {
-        let bytes = files.read(name).map_err(|problem| refused(&files.path(name), problem))?;
+        let Some(bytes) = files.peek(name, LARGEST_LIST) else { continue };
         // What is no text is no list.
         let Ok(text) = text::decoded(&bytes) else { continue };
         let read = match (peer::matches(&text), list::matches(&text)) {
@@ -154,7 +188,7 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), Suit
             (_, true) => list::read(&text, name, files),
             _ => continue,
         };
-        listed.extend(read.map_err(|problem| refused(&files.path(name), problem))?);
+        listed.extend(of_list(read.map_err(|problem| refused(&files.path(name), problem))?));
         lists.insert(name);
         if listed.len() > MOST_FILES {
             let problem = format!("with it there are more than {MOST_FILES} motions in all lists");
@@ -178,9 +212,18 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), Suit
         }
     }
     listed.extend(named);
-    let unused = unused::explained(unused, files, !lists.is_empty())
+    if listed.len() > MOST_FILES {
+        return Err(refused(path, format!("more than {MOST_FILES} motions; give fewer")));
+    }
+    let mut unused = unused::explained(unused, files, !lists.is_empty())
         .map_err(|(name, problem)| refused(&files.path(&name), problem))?;
+    unused.extend(files.others().iter().cloned());
     Ok((listed, unused))
+}
+
+/// Lines of a list, as such.
+fn of_list(entries: Vec<Entry>) -> Vec<Entry> {
+    entries.into_iter().map(|entry| Entry { listed: true, ..entry }).collect()
 }
 
 /// The same lines, each with an id of its own: where names are alike in two folders, with the folders'.
@@ -219,8 +262,12 @@ fn motion(entry: &mut Entry, files: &Files, samples: &AtomicUsize) -> Result<Mot
     if entry.vertical.is_none() && !entry.horizontal_alone {
         return Err("no vertical; a list with an empty vertical takes the horizontal alone".into());
     }
-    let hints =
-        RecordHints { dt: entry.dt, units: entry.units, scaled: false, ..RecordHints::default() };
+    let hints = RecordHints {
+        dt: entry.dt,
+        units: entry.units,
+        baseline: entry.baseline,
+        ..RecordHints::default()
+    };
     let record = |name: &str, vertical: bool| -> Result<(Record, RecordFile), String> {
         let bytes = files.read(name).map_err(|error| format!("{name}: {error}"))?;
         let channel = entry.channels[usize::from(vertical)].clone();
@@ -237,13 +284,22 @@ fn motion(entry: &mut Entry, files: &Files, samples: &AtomicUsize) -> Result<Mot
     if entry.station.is_empty() {
         entry.station.clone_from(&stated.station);
     }
+    let channel = entry.channels[0].as_deref().unwrap_or_default();
+    let of_name = processing::of_name(&entry.horizontal);
+    entry
+        .streams
+        .extend(of_name.map(|(stream, corrected)| (format!("{stream} {channel}"), corrected)));
+    entry.streams.extend(processing::of_stated(stated));
     let pair = joined::join(horizontal, vertical, &hints, false);
     // Here nothing is forced: a list says what is meant.
     let plain =
         |problem: &str| problem.trim_end_matches(ACCEPTED).trim_end_matches("; ").to_string();
     let mut pair = pair.map_err(|error| format!("{}: {}", error.key, plain(&error.problem)))?;
     samples.fetch_add(pair.len(), Ordering::Relaxed);
-    entry.notes.extend(pair.notes.iter().cloned());
+    entry.notes.extend(pair.notes.iter().chain(&pair.doubts).cloned());
+    if let Some(provenance) = &mut pair.provenance {
+        provenance.treatment.baseline = entry.baseline;
+    }
     if entry.scale != 1.0 {
         pair = pair.scaled(entry.scale);
     }

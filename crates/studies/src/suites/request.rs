@@ -6,7 +6,7 @@ use super::settings::SuiteSettings;
 use super::swept::SuiteJob;
 use super::wanted::WantedMotion;
 use topple::scene::applies::{Choice, ShakenBy};
-use topple::scene::excitation::RecordText;
+use topple::scene::excitation::{self, RecordText};
 use topple::scene::{Directions, Parameter, SceneBuilder, SceneError};
 use topple::sweep::error::SweepError;
 
@@ -100,8 +100,24 @@ impl SuiteRequest {
     }
 
     /// The motions of a suite that the scene is swept under.
-    pub fn motions(&self, suite: &Suite) -> Vec<WantedMotion> {
-        WantedMotion::of_suite(suite, &self.scene.numbers, self.both_directions)
+    ///
+    /// # Errors
+    /// Those of [`check_scales`](SuiteRequest::check_scales).
+    pub fn motions(&self, suite: &Suite) -> Result<Vec<WantedMotion>, SceneError> {
+        self.check_scales(suite)?;
+        Ok(WantedMotion::of_suite(suite, &self.scene.numbers, self.both_directions))
+    }
+
+    /// Refuses factors of the scene that make more of a motion than any ground has, unless that is forced.
+    ///
+    /// # Errors
+    /// The key `scale`, with the first motion.
+    pub fn check_scales(&self, suite: &Suite) -> Result<(), SceneError> {
+        suite.motions().try_for_each(|(entry, motion)| {
+            excitation::check_factors(&motion.pair, &self.scene.numbers, self.scene.force).map_err(
+                |error| SceneError::new(error.key, format!("{}: {}", entry.id, error.problem)),
+            )
+        })
     }
 
     /// Makes it ready to run.
@@ -109,7 +125,7 @@ impl SuiteRequest {
     /// # Errors
     /// Those of [`check`](SuiteRequest::check), numbers that make no sense, a backend that cannot be had.
     pub fn open(&self, suite: &Suite) -> Result<SuiteJob, SweepError> {
-        self.open_under(self.motions(suite))
+        self.open_under(self.motions(suite)?)
     }
 
     /// The same under the caller's own motions.

@@ -1,7 +1,12 @@
 //! Files that are no part of a suite's motions: what each is, and why it is not used.
 
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use rayon::prelude::*;
+
 use super::files::Files;
 use super::list;
+use super::naming::Naming;
 use topple::scene::record::read::format_of;
 use topple::scene::record::text;
 use topple::scene::{bounded, shown};
@@ -15,10 +20,15 @@ pub struct Unused {
     pub why: String,
 }
 
-/// Files that are looked into; of more the names alone are told.
+/// Files that are looked into for what they state; of more the names alone count.
 pub(super) const LOOKED_AT: usize = 2000;
 /// Largest file that is looked into, bytes: of a larger one it takes too long.
 pub(super) const LARGEST: usize = 4 << 20;
+/// Most bytes of all files that are looked into to say what they are.
+const MOST: u64 = 1 << 30;
+
+/// What is said of a file that is not understood, or not looked into.
+const NO_COMPONENT: &str = "its name tells no component";
 
 /// What the unused files are.
 ///
@@ -29,23 +39,20 @@ pub(super) fn explained(
     files: &Files,
     listed: bool,
 ) -> Result<Vec<Unused>, (String, String)> {
-    let mut unused = Vec::with_capacity(names.len());
-    for (number, file) in names.into_iter().enumerate() {
-        let why = match number < LOOKED_AT {
-            true => why(&file, files, listed).map_err(|problem| (file.clone(), problem))?,
-            false => "its name tells no component".into(),
-        };
-        unused.push(Unused { file, why });
-    }
-    Ok(unused)
+    let seen = AtomicU64::new(0);
+    let explain = |file: String| match why(&file, files, listed, &seen) {
+        Ok(why) => Ok(Unused { file, why }),
+        Err(problem) => Err((file, problem)),
+    };
+    names.into_par_iter().map(explain).collect()
 }
 
 fn ending(name: &str) -> String {
     name.rsplit_once('.').map_or_else(String::new, |(_, ending)| ending.to_ascii_lowercase())
 }
 
-/// What a file is; the error of one that can only be a list.
-fn why(name: &str, files: &Files, listed: bool) -> Result<String, String> {
+/// What a file is; the error of one that can only be a list. `seen` are the bytes of the files before.
+fn why(name: &str, files: &Files, listed: bool, seen: &AtomicU64) -> Result<String, String> {
     let by_ending = ending(name);
     match by_ending.as_str() {
         "xlsx" | "xls" | "ods" if !listed && is_called_a_list(name) => {
@@ -57,63 +64,85 @@ fn why(name: &str, files: &Files, listed: bool) -> Result<String, String> {
         "vt2" | "dt2" => return Ok("velocities or displacements of PEER, no acceleration".into()),
         _ => {}
     }
-    if files.path(name).is_dir() {
+    let path = files.path(name);
+    if path.is_dir() {
         return Ok(
             "a link to a folder, which is not followed; put the files themselves there".into()
         );
     }
-    let Ok(bytes) = files.read(name) else { return Ok("it cannot be read".into()) };
-    if bytes.len() > LARGEST {
-        return Ok(format!(
-            "its name tells no component; it has {}",
-            bounded::size(bytes.len() as u64)
-        ));
+    let size = path.metadata().map_or(0, |about| about.len());
+    if size > LARGEST as u64 {
+        return Ok(format!("{NO_COMPONENT}; it has {}", bounded::size(size)));
     }
-    let text = match text::decoded(&bytes) {
+    if seen.fetch_add(size, Ordering::Relaxed) > MOST {
+        return Ok(NO_COMPONENT.into());
+    }
+    let Some(bytes) = files.peek(name, LARGEST as u64) else {
+        return Ok("it cannot be read".into());
+    };
+    if bytes.len() > LARGEST {
+        return Ok(format!("{NO_COMPONENT}; it has {}", bounded::size(bytes.len() as u64)));
+    }
+    let text = text::decoded(&bytes);
+    if text.as_ref().is_ok_and(|text| list::is_measures(text)) {
+        return Ok("a table that topple suite has made".into());
+    }
+    // What is no record's text may name files, too: JSON, XML.
+    let plain = text::plain(&bytes);
+    if let Some(naming) = Naming::of(&plain, files) {
+        let file = shown::shown(naming.first);
+        let heading = plain.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+        if list::is_meant(&plain) {
+            return Err(format!(
+                "it names {file}, and its heading is that of a list; save it as CSV, with commas between its fields and \
+                 a name that ends with .csv"
+            ));
+        }
+        if matches!(by_ending.as_str(), "csv" | "tsv") {
+            return Err(format!(
+                "it names {file}, as a list does, and its heading '{}' has no column 'horizontal'; give \
+                 id,horizontal,vertical,dt,units,scale,weight with commas between, or the list of a download from PEER",
+                shown::shown(heading)
+            ));
+        }
+        let is_table = naming.is_table() && !PROSE.contains(&&*by_ending) && !is_own(&plain);
+        if is_table && !listed {
+            return Err(format!(
+                "it names {file} and others, with numbers that may be their factors, and is no list that is read; give them in a \
+                 list (CSV: id,horizontal,vertical,scale), or take it out of the folder"
+            ));
+        }
+        if naming.count > 1 {
+            return Ok(format!("it names {file} and others; nothing in it is applied to them"));
+        }
+    }
+    let text = match text {
         Ok(text) => text,
         Err(error) => return Ok(shown::line(&error.to_string())),
     };
-    if list::is_measures(&text) {
-        return Ok("a table that topple suite has made".into());
-    }
-    if list::is_meant(&text)
-        && let Some(file) = names_a_file(&text, files)
-    {
-        return Err(format!(
-            "it names {}, and its heading is that of a list; save it as CSV, with commas between its fields and \
-             a name that ends with .csv",
-            shown::shown(file)
-        ));
-    }
-    if matches!(by_ending.as_str(), "csv" | "tsv")
-        && let Some(file) = names_a_file(&text, files)
-    {
-        let heading = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-        return Err(format!(
-            "it names {}, as a list does, and its heading '{}' has no column 'horizontal'; give \
-             id,horizontal,vertical,dt,units,scale,weight with commas between, or the list of a download from PEER",
-            shown::shown(file),
-            shown::shown(heading)
-        ));
-    }
     Ok(match format_of(&text) {
         Some(format) => format!(
             "a record ({format}) that does not tell its station and its direction; name it in a list (CSV: id,horizontal,vertical)"
         ),
-        None => "its name tells no component".into(),
+        None => NO_COMPONENT.into(),
     })
+}
+
+/// Endings of what is written for people and of programs, which may name files with any numbers.
+const PROSE: [&str; 16] = [
+    "md", "rst", "html", "htm", "tex", "bib", "log", "toml", "ini", "py", "ipynb", "m", "r", "jl",
+    "sh", "bat",
+];
+
+/// True of what topple has written of a run.
+fn is_own(text: &str) -> bool {
+    let head: String = text.chars().take(4096).collect();
+    head.starts_with('{')
+        && ["\"kind\"", "\"version\"", "\"date\""].iter().all(|key| head.contains(key))
 }
 
 /// True of names that lists have.
 fn is_called_a_list(name: &str) -> bool {
     let name = name.to_ascii_lowercase();
     ["searchresults", "list", "suite"].iter().any(|word| name.contains(word))
-}
-
-/// A file of the suite that stands in a table of text, as a field of its own.
-fn names_a_file<'a>(text: &'a str, files: &Files) -> Option<&'a str> {
-    let fields = text.lines().take(200).flat_map(|line| line.split([',', ';', '\t', '|', ' ']));
-    fields
-        .map(|field| field.trim().trim_matches('"'))
-        .find(|field| field.contains('.') && field.parse::<f64>().is_err() && files.has(field))
 }

@@ -27,7 +27,8 @@ use std::borrow::Cow;
 
 use super::hints::RecordHints;
 use super::numbers::{free, number};
-use super::{Raw, RecordError, Stated};
+use super::{Raw, RecordError, Stated, dated};
+use crate::scene::shown::shown;
 use rows::Rows;
 use told::Told;
 use ways::Polarity;
@@ -39,9 +40,19 @@ const HEADING: usize = 20;
 const COMMENT: [char; 3] = ['#', '%', '!'];
 
 pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> {
+    let Some(dated) = dated::plain(text, 10 * HEADING)? else {
+        return of_numbers(text, hints, Told::new(hints));
+    };
+    let mut raw = of_numbers(&dated.text, hints, Told::of_dates(hints))?;
+    raw.stated.start = Some(dated.start);
+    raw.notes.push(format!("its rows begin with dates: times from {} on", shown(&dated.first)));
+    Ok(raw)
+}
+
+/// The record in rows of numbers.
+fn of_numbers(text: &str, hints: &RecordHints, mut told: Told) -> Result<Raw, RecordError> {
     let mut title = String::new();
     let mut rows = Rows::default();
-    let mut told = Told::new(hints);
     let mut commas = false;
     let mut empty = None;
     for (index, line) in text.lines().enumerate() {
@@ -67,9 +78,10 @@ pub(crate) fn read(text: &str, hints: &RecordHints) -> Result<Raw, RecordError> 
                 }
                 continue;
             }
-            let hint = match line.contains(',') {
-                true => "; if its commas are decimal ones, write points",
-                false => "; is the file of a known format?",
+            let hint = match (line.matches(':').count(), line.contains(',')) {
+                (1.., _) => "; a time is read in s, as 2003-01-02T03:04:05.01, or as 03:04:05.01",
+                (_, true) => "; if its commas are decimal ones, write points",
+                _ => "; is the file of a known format?",
             };
             return Err(RecordError::line(at, format!("this is not a number{hint}")));
         };

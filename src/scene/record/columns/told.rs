@@ -27,12 +27,19 @@ pub(super) struct Told {
     given: Option<f64>,
     /// True where the file is given as a vertical.
     as_vertical: bool,
+    /// True where dates stood in the place of the times, which are in s.
+    dated: bool,
 }
 
 impl Told {
     pub fn new(hints: &RecordHints) -> Told {
         let as_vertical = hints.vertical == Some(true);
         Told { given: hints.dt, as_vertical, ..Told::default() }
+    }
+
+    /// The same of a file whose rows began with dates.
+    pub fn of_dates(hints: &RecordHints) -> Told {
+        Told { dated: true, ..Told::new(hints) }
     }
 
     pub fn has_units(&self) -> bool {
@@ -52,7 +59,8 @@ impl Told {
         let units = unit_words::units(line);
         let found = units.is_some();
         self.put_units(at, units)?;
-        put(&mut self.clock, at, unit_words::clock(line), "a unit of the times")?;
+        let clock = unit_words::clock(line).filter(|_| !self.dated);
+        put(&mut self.clock, at, clock, "a unit of the times")?;
         self.put_numbers(at, line)?;
         self.put_direction(at, directions::stated(line))?;
         if let Some(name) = meaning::lone_column(line)
@@ -97,7 +105,10 @@ impl Told {
         if let (Some(units), true) = (units.clone(), self.put_units(at, units)?) {
             self.notes.push(format!("line {at} states units of '{}'", shown(&units)));
         }
-        if of_columns && let Some(Ok(clock)) = unit_words::clock(words) {
+        if of_columns
+            && !self.dated
+            && let Some(Ok(clock)) = unit_words::clock(words)
+        {
             put(&mut self.clock, at, Some(Ok(clock)), "a unit of the times")?;
         }
         self.put_numbers(at, words)?;

@@ -95,7 +95,7 @@ impl EnvelopeRequest {
     /// Those of [`check`](EnvelopeRequest::check), numbers that make no sense, a backend that cannot be had.
     pub fn open(&self, suite: &Suite) -> Result<EnvelopeJob, SweepError> {
         self.check()?;
-        let mut motions = self.suite.motions(suite);
+        let mut motions = self.suite.motions(suite)?;
         let directions = if self.suite.both_directions { 2 } else { 1 };
         let groups = Groups::of(suite, directions, self.resample)?;
         let mut times = 1;
