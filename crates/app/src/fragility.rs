@@ -338,7 +338,7 @@ impl FragilityCommand {
         let figure = |(number, state): (usize, &LimitState)| {
             let rates: Option<Vec<Option<f64>>> = study.settings.hazard.as_ref().map(|_| {
                 let fit = study.cells.iter().map(|cell| &cell.states[number].estimates[0]);
-                fit.map(|fit| fit.rate.as_ref()?.with_missing()).collect()
+                fit.map(|fit| fit.rate.as_ref()?.judged()).collect()
             });
             let target = rates.as_deref().zip(self.target);
             finish(picture_of(state), picture::maps(study, number, self.im, target, print)?)

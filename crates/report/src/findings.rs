@@ -5,11 +5,12 @@ use std::collections::BTreeSet;
 use topple::results::columns::TABLE;
 use topple::results::earlier::Kind;
 use topple::scene::words;
+use topple_pictures::drawing::share::percent;
 
 use super::document::Piece;
 use super::folder::{Folder, ReportError, Row, Rows};
 use super::fragility;
-use super::tables::{ROWS, more, number, percent, shown, table, value};
+use super::tables::{ROWS, more, number, shown, table, value};
 
 /// What a picture shows, by its name and the kind of the run.
 fn meaning(kind: Kind, name: &str) -> &'static str {
@@ -195,8 +196,18 @@ pub fn motion(folder: &Folder) -> String {
     text
 }
 
+/// The motions of a suite: the rows of its table that have numbers. The others are lines without a motion.
+///
+/// # Errors
+/// [`ReportError::File`]: a table that cannot be read.
+pub fn motions(folder: &Folder) -> Result<Rows, ReportError> {
+    let mut rows = folder.table("suite.csv")?.unwrap_or_default();
+    rows.retain(|row| value(row, "pga_h").is_some());
+    Ok(rows)
+}
+
 fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
-    let rows = folder.table("suite.csv")?.unwrap_or_default();
+    let rows = motions(folder)?;
     let mut pieces = vec![Piece::Text(format!(
         "Motions of the suite: {}. Their peaks are with the scale factors of a list, where it has any.",
         rows.len()

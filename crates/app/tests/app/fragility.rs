@@ -191,6 +191,7 @@ fn a_scaled_motion_has_the_level() {
                 id: "a".into(),
                 weight: 1.0,
                 pair: pair(peak, omega),
+                ground: pair(peak, omega),
                 factors: vec![1.0],
                 settings: Vec::new(),
             })
