@@ -189,6 +189,7 @@ impl FragilityCommand {
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
         suite::count(&suite, &say);
+        self.vary.iter().for_each(|varied| say.line("varies", varied));
         if let Some((path, hazard)) = self.hazard.path().zip(hazard.as_ref()) {
             told::hazard(path, hazard, self.im, &say);
         }

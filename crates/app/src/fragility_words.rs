@@ -317,6 +317,9 @@ fn curve(fit: &Estimate, im: Intensity) -> String {
 pub fn exported(export: Export, study: &Study, say: &Reporter) {
     let (states, cells) = export.left_out(study);
     let mut parts = Vec::new();
+    if study.settings.estimators[0] == Estimator::Cloud {
+        parts.push("of cloud the lognormal curves of its theta and beta, not its own".to_string());
+    }
     if !states.is_empty() {
         let names: Vec<String> = states.iter().map(ToString::to_string).collect();
         parts.push(format!(

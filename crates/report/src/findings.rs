@@ -6,6 +6,7 @@ use topple::results::columns::TABLE;
 use topple::results::earlier::Kind;
 use topple::scene::words;
 use topple_pictures::drawing::share::percent;
+use topple_studies::uncertain::Varied;
 
 use super::document::Piece;
 use super::folder::{Folder, ReportError, Row, Rows};
@@ -232,7 +233,7 @@ fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         let more = left_out.len().saturating_sub(ROWS);
         pieces.push(Piece::List(left_out.into_iter().take(ROWS).collect()));
         if more > 0 {
-            let text = format!("{more} more motions are left out; run.json says why.");
+            let text = format!("{more} more lines have no motion; run.json says why.");
             pieces.push(Piece::Text(text));
         }
     }
@@ -455,12 +456,10 @@ pub fn probable(folder: &Folder) -> String {
 }
 
 fn probability(folder: &Folder) -> Vec<Piece> {
-    let varied = folder.run.get("vary").and_then(|vary| vary.as_array());
-    let varied: Vec<String> =
-        varied.into_iter().flatten().filter_map(|one| one.as_str().map(String::from)).collect();
+    let varied: Vec<String> = folder.varied().iter().map(Varied::words).collect();
     let mut pieces = vec![Piece::Text(probable(folder))];
     if !varied.is_empty() {
-        pieces.push(Piece::Code(varied));
+        pieces.push(Piece::List(varied));
     }
     pieces
 }

@@ -48,7 +48,8 @@ pub enum Explained {
         /// High end.
         high: f64,
     },
-    /// So few samples do not tell it: there are fewer than [`FEWEST_ROWS`], or the interval is as wide as all that an index may be, 0 to 1.
+    /// So few samples do not tell it: there are fewer than [`FEWEST_ROWS`], the interval is as wide as all that an index may be, 0 to 1, or
+    /// more than 2.5 % of the resampled sets have a single output, so that an end of the interval is theirs.
     TooFew,
     /// The outputs are all the same.
     Constant,
@@ -59,8 +60,9 @@ impl Explained {
         if !value.is_finite() {
             return Explained::Constant;
         }
+        let tell = rows >= FEWEST_ROWS && 40 * (RESAMPLES - resampled.len()) <= RESAMPLES;
         let (low, high) = middle_95_percent(resampled);
-        match rows >= FEWEST_ROWS && high - low < 1.0 {
+        match tell && high - low < 1.0 {
             true => Explained::Share { value, low, high },
             false => Explained::TooFew,
         }
@@ -264,8 +266,11 @@ mod tests {
         }
         let known = of(&both, 64, |x| x[0] + 0.3 * x[1]);
         assert!(share(known[0].first).0 > 0.7 && share(known[0].total).0 > 0.7, "{known:?}");
-        // A rare event is all that the variance is of: its interval is as wide as all that an index may be.
+        // A rare event is all that the variance is of: where few rows have it, a narrow interval says nothing.
         let rare = of(&both, 16, |x| if x[0] * x[1] > 0.8 { 1.0 } else { 0.0 });
-        assert_eq!(rare[0].first, Explained::TooFew, "{rare:?}");
+        assert!(rare.iter().all(|one| one.first == Explained::TooFew && one.total == one.first));
+        // An interval as wide as all that an index may be.
+        let wide = of(&both, 10, |x| (x[0] - 0.5) * (x[1] - 0.5));
+        assert!(wide.iter().any(|one| one.first == Explained::TooFew), "{wide:?}");
     }
 }

@@ -5,7 +5,9 @@ use rand_pcg::rand_core::{Rng, SeedableRng};
 use topple_studies::fragility::order::{crossings, implies};
 use topple_studies::fragility::rates::empirical;
 use topple_studies::fragility::runs::Pool;
-use topple_studies::fragility::{Estimate, Estimator, RecordRuns, Run, estimate, hazard_text};
+use topple_studies::fragility::{
+    Curve, Estimate, Estimator, RecordRuns, Run, estimate, hazard_text,
+};
 use topple_studies::statistics::normal;
 use topple_studies::{Bootstrap, HazardCurve, Intensity, LimitState, Lognormal};
 
@@ -169,11 +171,11 @@ fn curves_of_ordered_limit_states_that_cross_are_found() {
     let [one] = found[..] else { panic!("{found:?}") };
     assert!((one.inner, one.outer, one.below) == (0, 1, true));
     // Where (ln x - ln a)/alpha = (ln x - ln b)/beta.
-    let (a, b) = (wide.curve().unwrap(), narrow.curve().unwrap());
+    let (a, b) = (wide.curve.unwrap(), narrow.curve.unwrap());
     let level = one.level.unwrap();
     near(a.probability(level), b.probability(level), 1.0e-9);
     // The share is the integral of the difference up to there, by parts with the closed form of each curve.
-    let part = |of: &Lognormal| hazard().rate_between(of, f64::NEG_INFINITY, level.ln());
+    let part = |of: &Curve| hazard().rate_between(of, f64::NEG_INFINITY, level.ln());
     let rate = wide.rate.unwrap().rate.unwrap();
     near(one.share.unwrap(), (part(&a) - part(&b)) / rate, 1.0e-6);
     assert!(one.share.unwrap() > 0.1, "{one:?}");
@@ -355,7 +357,7 @@ fn the_rate_of_a_cloud_is_the_integral_of_its_own_curve() {
     }
     // A lognormal curve of the same theta and beta has other rates, by up to a factor; of one part that is normal the same.
     near(apart[0], 1.0, 1.0e-9);
-    assert!(apart.iter().filter(|ratio| (*ratio - 1.0).abs() > 0.03).count() > 6, "{apart:?}");
+    assert!(apart.iter().filter(|ratio| (*ratio - 1.0).abs() > 0.03).count() > 5, "{apart:?}");
 }
 
 /// A target is kept by the upper bound where no curve is known or its interval is open, and by nothing without one.

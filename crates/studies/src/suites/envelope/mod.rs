@@ -14,7 +14,9 @@ use super::shown::is_beyond;
 use super::swept::SuiteSweep;
 use super::swept_motion::{SweptMotion, Values};
 use crate::statistics::{Bootstrap, DrawnGroups, quantile};
+use crate::uncertain::Varied;
 use topple::results::columns::Column;
+use topple::scene::Scene;
 use topple::scene::record::rounded;
 use topple::stepping::outcome::Class;
 
@@ -71,6 +73,8 @@ pub struct EnvelopeSettings {
     pub best: Best,
     /// Motions of each record: more than one where numbers are not known. They follow each other.
     pub times: usize,
+    /// Numbers that are not known.
+    pub varied: Vec<Varied>,
     /// What intervals of the share that overturns are made of; none are told without it.
     pub intervals: Option<(Groups, Bootstrap)>,
     /// Columns of a map whose percentiles are told, too: those that the sweep was asked for besides.
@@ -80,8 +84,9 @@ pub struct EnvelopeSettings {
 impl EnvelopeSettings {
     /// Limits alone: every motion once, no intervals.
     pub fn of(limits: Limits) -> EnvelopeSettings {
-        let columns = Vec::new();
-        EnvelopeSettings { limits, best: Best::default(), times: 1, intervals: None, columns }
+        let (varied, columns) = (Vec::new(), Vec::new());
+        let best = Best::default();
+        EnvelopeSettings { limits, best, times: 1, varied, intervals: None, columns }
     }
 }
 
@@ -144,6 +149,11 @@ impl Envelope {
     pub fn further(&self, cell: usize) -> impl Iterator<Item = [f64; 3]> {
         (0..self.settings.columns.len())
             .map(move |k| percentiles(&self.sweep.motions, cell, |motion| motion.others[k][cell]))
+    }
+
+    /// The scene under the first motion without the numbers that are not known.
+    pub fn known(&self) -> Scene {
+        Varied::fixed(&self.sweep.scene, &self.settings.varied)
     }
 
     /// How many records there are; each has as many motions as there are points of what is not known.
