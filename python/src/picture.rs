@@ -96,7 +96,7 @@ pub fn kinds<'py>(
 /// Shares of a whole as a legend tells them, in percent.
 #[pyfunction]
 pub fn shares(counts: Vec<usize>) -> Vec<String> {
-    results::shares::shares(&counts)
+    topple_pictures::drawing::share::shares(&counts)
 }
 
 /// The parameters of a scene that its axes do not show, in a line; `scene` is JSON.

@@ -35,7 +35,6 @@ pub(crate) mod replaced;
 pub mod rounds;
 pub mod saved_chunks;
 pub mod shard;
-pub mod shares;
 pub mod size;
 pub mod store;
 pub mod store_error;

@@ -1,9 +1,9 @@
 //! What `topple compare` prints and warns of.
 
 use topple::scene::Parameter;
-use topple::scene::record::rounded;
+use topple_pictures::drawing::share::percent;
 use topple_studies::comparison::{self, Compared, Comparison, Rated};
-use topple_studies::suites::envelope::{CellEnvelope, Limits};
+use topple_studies::suites::envelope::{CellEnvelope, Limits, NotKept};
 use topple_studies::suites::intensity::Intensity;
 
 use super::envelope::{between, digits};
@@ -84,7 +84,7 @@ pub fn warn_of_model(compared: &Comparison) {
 /// A device in words.
 fn one(name: &str, device: &Compared, of: &Comparison) -> String {
     let Compared { cell, reserve, stop_from, .. } = device;
-    let mut text = format!("{name}: stands under {:.1} %", 100.0 * cell.standing);
+    let mut text = format!("{name}: stands under {}", percent(cell.standing));
     text += &format!(
         ", overturning has P = {}{}",
         digits(cell.overturned),
@@ -131,22 +131,14 @@ fn one(name: &str, device: &Compared, of: &Comparison) -> String {
 
 /// Which limits are not kept.
 fn not_kept(cell: &CellEnvelope, limits: Limits) -> String {
-    let beyond = |limit: Option<f64>, value: f64| limit.is_some_and(|limit| value > limit);
-    let mut kinds = Vec::new();
-    if cell.standing < limits.standing - 1.0e-9 || cell.standing <= 0.0 {
-        kinds.push(match limits.standing {
-            1.0 => "the block does not stand under all motions".to_string(),
-            share => {
-                let share = rounded(100.0 * share, 4);
-                format!("the block stands under less than {share} % of the motions")
-            }
-        });
-    }
-    if beyond(limits.u, cell.max_u[2]) {
-        kinds.push("|u| exceeds its limit".to_string());
-    }
-    if beyond(limits.v, cell.stroke_v[2]) {
-        kinds.push("the stroke of v exceeds its limit".to_string());
-    }
-    kinds.join(", ")
+    let words = |kind: NotKept| match (kind, limits.standing) {
+        (NotKept::Standing, 1.0) => "the block does not stand under all motions".to_string(),
+        (NotKept::Standing, share) => {
+            format!("the block stands under less than {} of the motions", percent(share))
+        }
+        (NotKept::U, _) => "|u| exceeds its limit".to_string(),
+        (NotKept::V, _) => "the stroke of v exceeds its limit".to_string(),
+    };
+    let kinds = limits.not_kept(cell.standing, cell.max_u[2], cell.stroke_v[2]);
+    kinds.map(words).collect::<Vec<_>>().join(", ")
 }

@@ -5,6 +5,7 @@ use topple::results::earlier::Kind;
 use topple::scene::Grid;
 use topple::scene::record::rounded;
 use topple_pictures::drawing::render;
+use topple_pictures::drawing::share::percent;
 use topple_pictures::studies::{envelope as envelope_picture, envelope_curves};
 use topple_studies::suites::envelope::{
     self, Best, CellEnvelope, Envelope, EnvelopeJob, EnvelopeRequest,
@@ -184,8 +185,8 @@ fn warn_of_falling<'a>(down: impl Iterator<Item = &'a f64>) {
 /// Says which cells keep the limits, how far these are, and which motions govern.
 fn tell(envelope: &Envelope, best: &[usize], say: &Reporter) {
     let cells = envelope.cells.len();
-    let share = 100.0 * best.len() as f64 / cells.max(1) as f64;
-    say.line("feasible", format!("{} of {cells} cells, {share:.1} %", best.len()));
+    let share = percent(best.len() as f64 / cells.max(1) as f64);
+    say.line("feasible", format!("{} of {cells} cells, {share}", best.len()));
     if let Some(first) = best.first().filter(|_| cells > 1) {
         let by = envelope.settings.best;
         say.line("best", format!("by {by} (--best): {}", by.words()));
@@ -224,7 +225,7 @@ fn tell(envelope: &Envelope, best: &[usize], say: &Reporter) {
     let worst = envelope.worst();
     let worst = worst.iter().take(BEST).filter(|(_, share)| *share > 0.0);
     let worst: Vec<String> =
-        worst.map(|(id, share)| format!("{id} in {:.0} % of the cells", 100.0 * share)).collect();
+        worst.map(|(id, share)| format!("{id} in {} of the cells", percent(*share))).collect();
     if !worst.is_empty() {
         say.line("overturns", format!("most often {}", worst.join(", ")));
     }
@@ -242,7 +243,7 @@ fn one(envelope: &Envelope, cell: usize) -> String {
     let at = if at.is_empty() { "the block".to_string() } else { at.join(", ") };
     let CellEnvelope { standing, max_u, stroke_v, .. } = envelope.cells[cell];
     let limit = |limit: Option<f64>| limit.map_or(String::new(), |limit| format!(" of {limit} m"));
-    let mut text = format!("{at}: stands under {:.1} %", 100.0 * standing);
+    let mut text = format!("{at}: stands under {}", percent(standing));
     // The strokes of those that overturn it do not count.
     let of = if standing < 1.0 { ", of these " } else { ", " };
     let moves = envelope.sweep.scene.isolation;

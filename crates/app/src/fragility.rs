@@ -189,6 +189,7 @@ impl FragilityCommand {
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
         suite::count(&suite, &say);
+        self.vary.iter().for_each(|varied| say.line("varies", varied));
         if let Some((path, hazard)) = self.hazard.path().zip(hazard.as_ref()) {
             told::hazard(path, hazard, self.im, &say);
         }
@@ -338,7 +339,7 @@ impl FragilityCommand {
         let figure = |(number, state): (usize, &LimitState)| {
             let rates: Option<Vec<Option<f64>>> = study.settings.hazard.as_ref().map(|_| {
                 let fit = study.cells.iter().map(|cell| &cell.states[number].estimates[0]);
-                fit.map(|fit| fit.rate.as_ref()?.with_missing()).collect()
+                fit.map(|fit| fit.rate.as_ref()?.judged()).collect()
             });
             let target = rates.as_deref().zip(self.target);
             finish(picture_of(state), picture::maps(study, number, self.im, target, print)?)

@@ -1,6 +1,7 @@
 //! What is said of annual rates: how much of one is data, whether it is below a target, where curves cross.
 
 use topple::scene::record::rounded;
+use topple_pictures::drawing::share::percent;
 use topple_studies::fragility::estimate::{Estimate, Note};
 use topple_studies::fragility::hazard::in_50_years;
 use topple_studies::fragility::limit_state::LimitState;
@@ -14,11 +15,6 @@ use super::words::{self, Reporter};
 fn digits(rate: f64) -> String {
     let rounded = rounded(rate, 3);
     if rounded > 0.0 && rounded < 1.0e-4 { format!("{rounded:e}") } else { rounded.to_string() }
-}
-
-/// A share in words.
-fn percent(share: f64) -> String {
-    format!("{} %", rounded(100.0 * share, 2))
 }
 
 /// The lines of a fit's annual rate; none without a hazard curve. `empirical` is the rate by the shares of the motions alone,
@@ -106,20 +102,26 @@ fn unknown(fit: &Estimate, rate: &RateEstimate, unit: &str) -> String {
 /// What a rate is against a target; none where nothing is known.
 fn judged(rate: &RateEstimate, target: f64) -> Option<String> {
     let below = rate.is_below(target)?;
-    let most = rate.with_missing();
-    let value = most.map_or("not known".to_string(), digits);
-    let end = match (rate.rate, rate.high) {
-        (None, _) => String::new(),
-        (Some(_), Some(high)) => {
-            let high = high + rate.missing_above + rate.missing_below;
-            let is = if high <= target { "is, too" } else { "is not" };
-            format!("; the upper end of its interval, {}, {is}", digits(high))
-        }
-        (Some(_), None) => "; its interval is open above".to_string(),
+    let Some(most) = rate.judged() else {
+        return Some(format!(
+            "not below the target {target} as far as is known: its interval has no upper end"
+        ));
     };
-    Some(match below {
-        true => format!("below the target {target}: {value} with what may be missing{end}"),
-        false => format!("not below the target {target}: {value} with what may be missing"),
+    let (value, is) = (digits(most), if below { "below" } else { "not below" });
+    let curve = rate.high.filter(|_| rate.rate.is_some() && !rate.of_step);
+    Some(match curve.map(|high| high + rate.missing_above + rate.missing_below) {
+        None => format!(
+            "{is} the target {target}{}: at most {value}, with what may be missing",
+            if below { "" } else { " as far as is known" }
+        ),
+        Some(_) if !below => format!("not below the target {target}: {value} with what may be missing"),
+        Some(high) => {
+            let end = if high <= target { "is, too" } else { "is not" };
+            format!(
+                "below the target {target}: {value} with what may be missing; the upper end of its interval, {}, {end}",
+                digits(high)
+            )
+        }
     })
 }
 

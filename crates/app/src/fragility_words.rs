@@ -5,6 +5,7 @@ use std::path::Path;
 use topple::results::files::Directory;
 use topple::scene::Values;
 use topple::scene::record::rounded;
+use topple_pictures::drawing::share::percent;
 use topple_studies::fragility::estimate::Estimate;
 use topple_studies::fragility::sensitivity::Sensitivity;
 use topple_studies::fragility::study::Study;
@@ -12,7 +13,7 @@ use topple_studies::fragility::{Estimator, Export, HazardCurve, HazardText, Stri
 use topple_studies::suites::Falling;
 use topple_studies::suites::intensity::Intensity;
 use topple_studies::suites::resample::{FEWEST_EVENTS, Groups, Resample};
-use topple_studies::uncertain::Index;
+use topple_studies::uncertain::{Explained, Index};
 
 use super::fragility_rates as rates;
 use super::suite::counted;
@@ -214,9 +215,9 @@ pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
         let fallen = one.capacities.iter().flatten().count();
         let weighted = if study.is_weighted() { ", by weight," } else { "" };
         let text = format!(
-            "{fallen} of {} motions overturn the block; under {:.0} % of these{weighted} it stands again at a higher level",
+            "{fallen} of {} motions overturn the block; under {} of these{weighted} it stands again at a higher level",
             one.capacities.len(),
-            100.0 * share
+            percent(share)
         );
         say.line("capacity", text);
     }
@@ -227,19 +228,22 @@ pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
 }
 
 /// What a number that is not known explains, in words.
-fn explained(index: &Index) -> String {
-    let Index { first, first_low, first_high, total, total_low, total_high } = index;
-    if [first, total].iter().any(|value| value.is_nan()) {
-        return "not known: at all points as many runs fail, so that more samples (--samples) or other levels are needed".into();
+fn explained(Index { first, total }: &Index) -> String {
+    let few = "not known with so few samples (--samples)";
+    let share = |of: &Explained, what: &str| match of {
+        Explained::Share { value, low, high } => {
+            format!("{value:.2} {what} ({low:.2} to {high:.2})")
+        }
+        Explained::TooFew => format!("{what} {few}"),
+        Explained::Constant => format!("{what} not known"),
+    };
+    match (first, total) {
+        (Explained::Constant, _) | (_, Explained::Constant) => {
+            "not known: at all points as many runs fail, so that more samples (--samples) or other levels are needed".into()
+        }
+        (Explained::TooFew, Explained::TooFew) => few.into(),
+        _ => format!("{}, {}", share(first, "alone"), share(total, "with others")),
     }
-    if [first_low, first_high, total_low, total_high].iter().any(|value| value.is_nan()) {
-        return format!(
-            "{first:.2} alone, {total:.2} with others; too few samples for an interval (--samples)"
-        );
-    }
-    format!(
-        "{first:.2} alone ({first_low:.2} to {first_high:.2}), {total:.2} with others ({total_low:.2} to {total_high:.2})"
-    )
 }
 
 /// Which of several estimators to use, and why.
@@ -313,6 +317,9 @@ fn curve(fit: &Estimate, im: Intensity) -> String {
 pub fn exported(export: Export, study: &Study, say: &Reporter) {
     let (states, cells) = export.left_out(study);
     let mut parts = Vec::new();
+    if study.settings.estimators[0] == Estimator::Cloud {
+        parts.push("of cloud the lognormal curves of its theta and beta, not its own".to_string());
+    }
     if !states.is_empty() {
         let names: Vec<String> = states.iter().map(ToString::to_string).collect();
         parts.push(format!(

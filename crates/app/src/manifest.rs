@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use topple::backend::description::AdapterDescription;
+use topple::backend::ready::Backend;
 use topple::backend::report::{Report, threads};
 use topple::cells::plan::Plan;
 use topple::cells::shortcuts::Shortcuts;
@@ -79,6 +80,24 @@ pub struct Manifest<'a> {
     /// Which cells came from where; cells are numbered row by row, the horizontal axis fastest.
     #[serde(rename = "parts")]
     pub shards: Vec<Origin<'a>>,
+}
+
+/// What computed the results of a command with a suite, by the keys that a map has.
+#[derive(Debug, Serialize)]
+pub struct Computed<'a> {
+    /// gpu, cpu or reference.
+    pub backend: &'a str,
+    /// The adapter, for a GPU.
+    pub adapter: Option<&'a AdapterDescription>,
+    /// Threads of the CPU.
+    pub threads: usize,
+}
+
+impl Computed<'_> {
+    /// By the CPU alone.
+    pub fn on_cpu() -> Computed<'static> {
+        Computed { backend: Backend::Cpu.name(), adapter: None, threads: threads() }
+    }
 }
 
 /// A run of cells and what ran them.

@@ -18,7 +18,7 @@ use super::disk::{self, size};
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
 use super::map_file::{Extras, MapFile};
-use super::options::{Talk, Verify, flag_error, share};
+use super::options::{MapParts, Talk, Verify, flag_error};
 use super::picture_flags::PictureFlags;
 use super::progress::{Bar, Screen};
 use super::results_directory::Place;
@@ -44,17 +44,8 @@ pub struct MergeCommand {
     /// Number of cells that the reference computes again, or none [default: 128, or as many as 30 s allow]
     #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
     verify: Option<Verify>,
-    /// Refine the cells beside boundaries in K levels, each of half the cell size; writes pictures of the finest grid and the tables
-    /// leaves.csv, leaves.npz or leaves.zarr
-    #[arg(long, value_name = "K")]
-    refine: Option<u32>,
-    /// With --refine: also split boxes in which ζ, min_contact or a stroke differs from the interpolation between their corners by more
-    /// than this share of its range
-    #[arg(long, value_name = "SHARE", requires = "refine", value_parser = share, allow_negative_numbers = true)]
-    smooth: Option<f64>,
-    /// Measure how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
-    #[arg(long)]
-    sharpness: bool,
+    #[command(flatten)]
+    parts: MapParts,
     /// Print only errors
     #[arg(short, long)]
     quiet: bool,
@@ -80,7 +71,8 @@ impl MergeCommand {
             false => self.files.clone(),
         };
         let grid = Grid::of(&shards.content.scene);
-        let extras = Extras { leaves: self.refine.is_some(), spectrum: false };
+        self.parts.check(&grid)?;
+        let extras = Extras { leaves: self.parts.refine.is_some(), spectrum: self.parts.spectrum };
         let content = (&shards.content.scene, &grid, shards.content.method.columns);
         let names = map_files::places(content, &files(grid.len()), extras);
         place.refuse_foreign(&names)?;
@@ -107,7 +99,7 @@ impl MergeCommand {
         }
         say.line("takes", format!("{} of disk", size(bytes)));
         let screen = Screen::new(self.quiet);
-        if let Some(levels) = self.refine {
+        if let Some(levels) = self.parts.refine {
             refine::check(&map.plan.scene, levels).map_err(|error| flag_error(&error))?;
         }
         device_remarks::warn(&map.plan.scene);
@@ -115,7 +107,7 @@ impl MergeCommand {
         words::warn_of_lossless_impacts(&map.plan, grid);
         let mut refined = None;
         // A shard does not know its neighbours.
-        if map.method.repair || self.refine.is_some() {
+        if map.method.repair || self.parts.refine.is_some() {
             let on_cpu = map.shards.iter().all(|(_, report)| report.backend == Backend::Cpu.name());
             let request = if on_cpu { BackendRequest::Cpu } else { BackendRequest::Auto };
             let opened = request.open(map.method.precision, &[]);
@@ -125,14 +117,14 @@ impl MergeCommand {
                 repaired.map_err(|error| sweep_error(map.stopped(error)))?;
             }
             refined =
-                super::run::refine(&map, &opened.backends, (self.refine, self.smooth), &screen)?;
+                super::run::refine(&map, &opened.backends, (self.parts.refine, self.parts.smooth), &screen)?;
         }
         let (verify, estimate) = (Verify::settings(self.verify), Duration::ZERO);
         let files = &files[..];
-        let (tag, sharpness, talk) = (None, self.sharpness, self.talk);
+        let (tag, sharpness, talk) = (None, self.parts.sharpness, self.talk);
         let refined = refined.as_ref();
         let pictures = &self.pictures;
-        let spectrum = false;
+        let spectrum = self.parts.spectrum;
         let to =
             Finish { files, refined, verify, estimate, tag, sharpness, spectrum, pictures, talk };
         finish::write(map, &mut results, &to, &say, &screen)

@@ -79,8 +79,52 @@ pub struct Talk {
     pub json: bool,
 }
 
+/// What a map may have beside its outcomes, whether it is run or joined of shards.
+#[derive(Debug, Clone, clap::Args)]
+pub struct MapParts {
+    /// Refine the cells beside boundaries in K levels, each of half the cell size; writes pictures of the finest grid and the tables
+    /// leaves.csv, leaves.npz or leaves.zarr
+    #[arg(long, value_name = "K")]
+    pub refine: Option<u32>,
+    /// With --refine: also split boxes in which ζ, min_contact or a stroke differs from the interpolation between their corners by more
+    /// than this share of its range
+    #[arg(long, value_name = "SHARE", requires = "refine", value_parser = share, allow_negative_numbers = true)]
+    pub smooth: Option<f64>,
+    /// Measure how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
+    #[arg(long)]
+    pub sharpness: bool,
+    /// Draw the spectra of a map of two axes, too: the least values of the second at which the block lifts and overturns, and the
+    /// rocking index at some of them, over the first (spectrum.csv, .png, .svg)
+    #[arg(long)]
+    pub spectrum: bool,
+}
+
+impl MapParts {
+    /// Refuses spectra of a grid that has none.
+    ///
+    /// # Errors
+    /// The flag, and what to do.
+    pub fn check(&self, grid: &Grid) -> Result<(), InputError> {
+        if self.spectrum && !spectrum::has(grid) {
+            let problem = "--spectrum: spectra are of a map of two axes, the second of them how strong the shaking is (--a-h, --scale), above 0; give these, or leave it out";
+            return Err(InputError(problem.into()));
+        }
+        Ok(())
+    }
+}
+
+/// The flags that cannot stand beside some parts of a map.
+fn apart(flag: clap::Arg) -> clap::Arg {
+    match flag.get_id().as_str() {
+        "refine" => flag.conflicts_with_all(["repair", "tile", "dry_run"]),
+        "sharpness" | "spectrum" => flag.conflicts_with_all(["tile", "dry_run"]),
+        _ => flag,
+    }
+}
+
 /// Further parts of a map.
 #[derive(Debug, Clone, clap::Args)]
+#[command(mut_args(apart))]
 pub struct MapOptions {
     #[command(flatten)]
     pub run: RunOptions,
@@ -105,21 +149,8 @@ pub struct MapOptions {
     /// Run the cells beside a boundary between outcomes again in f64 with half the step, and replace those that change
     #[arg(long, conflicts_with_all = ["resolve", "dry_run"])]
     pub repair: bool,
-    /// Refine the cells beside boundaries in K levels, each of half the cell size; writes pictures of the finest grid and the tables
-    /// leaves.csv, leaves.npz or leaves.zarr
-    #[arg(long, value_name = "K", conflicts_with_all = ["repair", "tile", "dry_run"])]
-    pub refine: Option<u32>,
-    /// With --refine: also split boxes in which ζ, min_contact or a stroke differs from the interpolation between their corners by more
-    /// than this share of its range
-    #[arg(long, value_name = "SHARE", requires = "refine", value_parser = share, allow_negative_numbers = true)]
-    pub smooth: Option<f64>,
-    /// Measure how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
-    #[arg(long, conflicts_with_all = ["tile", "dry_run"])]
-    pub sharpness: bool,
-    /// Draw the spectra of a map of two axes, too: the least values of the second at which the block lifts and overturns, and the
-    /// rocking index at some of them, over the first (spectrum.csv, .png, .svg)
-    #[arg(long, conflicts_with_all = ["tile", "dry_run"])]
-    pub spectrum: bool,
+    #[command(flatten)]
+    pub parts: MapParts,
     /// Run only a sample, and print the expected time, memory and room on the disk
     #[arg(long)]
     pub dry_run: bool,
@@ -268,7 +299,7 @@ impl MapOptions {
         };
         // See what the flags themselves exclude, in [`MapOptions`].
         let (shard, sample) = (self.tile.is_some(), self.dry_run);
-        let (repairs, refines) = (self.repair, self.refine.is_some());
+        let (repairs, refines) = (self.repair, self.parts.refine.is_some());
         let unknown = self.uncertain.asked();
         let resolved = earlier.is_some_and(|earlier| earlier.resolve) && !self.run.resolve;
         let resolve = takes("--resolve", resolved, repairs);
@@ -277,15 +308,15 @@ impl MapOptions {
         self.repair |= takes("--repair", repaired, not_repaired);
         let refined = besides.refine.is_some() && !refines;
         if takes("--refine", refined, repairs || shard || sample || unknown) {
-            self.refine = besides.refine;
+            self.parts.refine = besides.refine;
         }
-        if self.refine.is_some() && self.smooth.is_none() {
-            self.smooth = besides.smooth;
+        if self.parts.refine.is_some() && self.parts.smooth.is_none() {
+            self.parts.smooth = besides.smooth;
         }
-        let sharp = besides.sharpness && !self.sharpness;
-        self.sharpness |= takes("--sharpness", sharp, shard || sample || unknown);
-        let spectrum = besides.spectrum && !self.spectrum;
-        self.spectrum |= takes("--spectrum", spectrum, shard || sample || unknown);
+        let sharp = besides.sharpness && !self.parts.sharpness;
+        self.parts.sharpness |= takes("--sharpness", sharp, shard || sample || unknown);
+        let spectrum = besides.spectrum && !self.parts.spectrum;
+        self.parts.spectrum |= takes("--spectrum", spectrum, shard || sample || unknown);
         if self.columns.is_none() && !unknown {
             self.columns =
                 earlier.map(|earlier| earlier.columns).filter(|columns| !columns.is_all());
@@ -311,9 +342,9 @@ impl MapOptions {
             ("--files", !self.files.is_empty()),
             ("--columns", self.columns.is_some()),
             ("--repair", self.repair),
-            ("--refine", self.refine.is_some()),
-            ("--sharpness", self.sharpness),
-            ("--spectrum", self.spectrum),
+            ("--refine", self.parts.refine.is_some()),
+            ("--sharpness", self.parts.sharpness),
+            ("--spectrum", self.parts.spectrum),
             ("--dry-run", self.dry_run),
         ];
         flags.into_iter().filter(|(_, given)| *given).map(|(flag, _)| flag).collect()
@@ -377,11 +408,8 @@ impl MapOptions {
         self.method().check_columns(scene).map_err(|error| flag_error(&error))?;
         let verify = Verify::settings(self.verify);
         verify.check(Grid::of(scene).len()).map_err(|error| flag_error(&error))?;
-        if self.spectrum && !spectrum::has(&Grid::of(scene)) {
-            let problem = "--spectrum: spectra are of a map of two axes, the second of them how strong the shaking is (--a-h, --scale), above 0; give these, or leave it out";
-            return Err(InputError(problem.into()));
-        }
-        if let Some(levels) = self.refine {
+        self.parts.check(&Grid::of(scene))?;
+        if let Some(levels) = self.parts.refine {
             refine::check(scene, levels).map_err(|error| flag_error(&error))?;
         }
         self.uncertain.check(scene, self.run.force).map_err(|error| flag_error(&error))

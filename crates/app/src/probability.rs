@@ -9,6 +9,7 @@ use topple::scene::record::Provenance;
 use topple::scene::{Grid, Scene};
 use topple::sweep::settings::Method;
 use topple_pictures::drawing::render;
+use topple_pictures::drawing::share::percent;
 use topple_pictures::studies::probability as picture;
 use topple_studies::uncertain::Uncertainty;
 use topple_studies::uncertain::probability::{self, Probabilities};
@@ -112,8 +113,7 @@ pub fn run(scene: &Scene, options: &MapOptions, place: Place) -> anyhow::Result<
     out.finish(&manifest)?;
     let samples = format!("{} samples of {} cells", uncertainty.samples, grid.len());
     say.line("sweep", format!("{samples}, {}, {}", all.backend, words::speed(cells, all.seconds)));
-    let certain = 100.0 * all.certain();
-    let one = format!("{certain:.1} % of the cells have one outcome in all samples");
+    let one = format!("{} of the cells have one outcome in all samples", percent(all.certain()));
     let mean = format!("overturning has a mean probability of {:.4}", all.mean());
     say.line("outcomes", format!("{one}; {mean}"));
     let error = format!("{:.3} at the most, that of independent samples", all.largest_error());

@@ -46,7 +46,7 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     options.run.warn_of(job.passed_over(), &job.backends()[0]);
     let tag = job.tag();
     // A finished map may have been refined otherwise, or not at all.
-    let whole = options.tile.is_none() && options.refine.is_none();
+    let whole = options.tile.is_none() && options.parts.refine.is_none();
     if options.resume && whole && job.left() == job.wanted.len() {
         match finished {
             Some(finished) if Some(finished) == tag => {
@@ -105,9 +105,9 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
         SweepResult::Map(map) => {
             let (verify, estimate) = (Verify::settings(options.verify), sampling);
             let files = &files[..];
-            let (sharpness, spectrum, talk) = (options.sharpness, options.spectrum, options.talk);
+            let (sharpness, spectrum, talk) = (options.parts.sharpness, options.parts.spectrum, options.talk);
             let refined =
-                refine(&map, &opened.backends, (options.refine, options.smooth), &screen)?;
+                refine(&map, &opened.backends, (options.parts.refine, options.parts.smooth), &screen)?;
             let refined = refined.as_ref();
             let pictures = &options.run.pictures;
             let to = Finish {
@@ -141,7 +141,7 @@ pub fn place(scene: &Scene, options: &MapOptions) -> Result<Place, InputError> {
         Kind::Probability => probability::names(),
         _ => {
             let grid = Grid::of(scene);
-            let extras = Extras { leaves: options.refine.is_some(), spectrum: options.spectrum };
+            let extras = Extras { leaves: options.parts.refine.is_some(), spectrum: options.parts.spectrum };
             let content = (scene, &grid, options.method().columns);
             map_files::places(content, &options.files(&grid), extras)
         }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
+use topple::model::precision::Precision;
 use topple::results::earlier::Kind;
 use topple::scene::record::{Baseline, Provenance};
 use topple::scene::{path_text, shown};
@@ -14,6 +15,7 @@ use topple_studies::suites::read::Reading;
 use topple_studies::suites::{Entry, Motion, Suite, SuiteError, table};
 
 use super::inputs::PUT_BACK;
+use super::manifest::Computed;
 use super::picture_flags::PictureFlags;
 use super::results_directory::Place;
 use super::words::{self, Reporter, with_columns};
@@ -52,12 +54,20 @@ struct Manifest<'a> {
     #[serde(serialize_with = "path_text::serialize")]
     suite: &'a std::path::Path,
     motions: usize,
+    /// Of how many recordings they are.
+    recordings: usize,
+    /// Of how many earthquakes, where that of each motion is known.
+    events: Option<usize>,
     /// Where each motion came from, its factor and its weight, by its id.
     records: BTreeMap<&'a str, Source<'a>>,
     /// Why lines have no motion, by their ids.
     left_out: BTreeMap<&'a str, &'a str>,
     /// Files that are no part of any line, each with what it is.
     unused: BTreeMap<&'a str, &'a str>,
+    #[serde(flatten)]
+    computed: Computed<'a>,
+    /// Of the measures and spectra.
+    precision: Precision,
     #[serde(skip_serializing_if = "PictureFlags::is_plain")]
     pictures: &'a PictureFlags,
 }
@@ -164,9 +174,13 @@ impl SuiteCommand {
         let manifest = Manifest {
             suite: &self.path,
             motions: suite.motions().count(),
+            recordings: suite.recordings().1,
+            events: suite.events(),
             records: sources(&suite),
             left_out: left_out(&suite),
             unused: suite.unused.iter().map(|one| (&*one.file, &*one.why)).collect(),
+            computed: Computed::on_cpu(),
+            precision: Precision::F64,
             pictures: &self.pictures,
         };
         warn_of_doubts(&suite);

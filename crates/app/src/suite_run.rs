@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
+use topple::backend::report::threads;
 use topple::results::shard::Shard;
 use topple::results::store_error::StoreError;
 use topple::scene::builder::SceneBuilder;
@@ -20,6 +21,7 @@ use topple_studies::suites::{Suite, SuiteRequest, saved};
 use super::command_line::CommandLine;
 use super::errors::sweep_error;
 use super::estimate::duration;
+use super::manifest::Computed;
 use super::options::{CommonFlags, RunOptions, Verify, flag_error};
 use super::picture_flags::PictureFlags;
 use super::progress::Screen;
@@ -97,6 +99,8 @@ pub struct SuiteManifest<'a> {
     records: BTreeMap<&'a str, Source<'a>>,
     /// Why lines of the suite have no motion, by their ids.
     left_out: BTreeMap<&'a str, &'a str>,
+    #[serde(flatten)]
+    computed: Computed<'a>,
     #[serde(flatten)]
     method: Method,
     cells: usize,
@@ -269,6 +273,11 @@ impl SuiteFlags {
             both_directions: self.both_directions,
             records: suite::sources(suite),
             left_out: suite::left_out(suite),
+            computed: Computed {
+                backend: swept.backend,
+                adapter: swept.adapter.as_ref(),
+                threads: threads(),
+            },
             method: options.method(),
             cells: swept.grid.len(),
             sweep_seconds: swept.seconds,

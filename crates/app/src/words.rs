@@ -25,6 +25,7 @@ use topple::stepping::outcome::Class;
 use topple::sweep::repaired::Repair;
 use topple::sweep::verdict;
 use topple::sweep::verification::{Verdict, Verification};
+use topple_pictures::drawing::share;
 use topple_studies::sharpness::{Estimate, Sharpness};
 
 /// Says things, a name and what there is to it a line; or nothing, for who wants quiet.
@@ -309,28 +310,24 @@ fn model(plan: &Plan) -> String {
 
 /// The share of each outcome.
 pub fn shares(tally: &Tally, friction: Option<&Values>) -> String {
-    let percent = |count: usize| match 100.0 * count as f64 / tally.cells as f64 {
-        // A few cells are not none.
-        share if share < 0.05 => "less than 0.1".to_string(),
-        share => format!("{share:.1}"),
-    };
+    let percent = |count: usize| share::percent(count as f64 / tally.cells as f64);
     let mut parts = Vec::new();
     for class in Class::ALL {
         let count = tally.count(class);
         if count > 0 {
-            parts.push(format!("{} {} %", class.name().replace('_', " "), percent(count)));
+            parts.push(format!("{} {}", class.name().replace('_', " "), percent(count)));
         }
     }
     match tally.tensile {
         Some(0) => {}
-        Some(tensile) => parts.push(format!("contact force tensile in {} %", percent(tensile))),
+        Some(tensile) => parts.push(format!("contact force tensile in {}", percent(tensile))),
         None => parts.push(
             "contact forces not asked for, and cells where they are tensile not hatched".into(),
         ),
     }
     if let (Some(sliding), Some(mu)) = (tally.sliding, friction) {
         let mu = if mu.count() == 1 { mu.to_string() } else { "μ".into() };
-        parts.push(format!("friction above {mu} needed in {} %", percent(sliding)));
+        parts.push(format!("friction above {mu} needed in {}", percent(sliding)));
     }
     parts.join(", ")
 }

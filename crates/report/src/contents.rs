@@ -4,6 +4,7 @@
 use serde_json::Value;
 use topple::results::earlier::{Kind, RUN};
 use topple::scene::{Excitation, GRAVITY, Scene, shown, words};
+use topple_studies::uncertain::Varied;
 
 use super::document::{Document, Piece};
 use super::folder::{Folder, ReportError};
@@ -135,6 +136,12 @@ fn sentence(folder: &Folder, scene: &Scene) -> String {
         text += &format!(" Varied: {}.", ranges.collect::<Vec<_>>().join("; "));
     }
     if folder.kind != Kind::Comparison {
+        let varied = folder.varied();
+        let scene = &Varied::fixed(scene, &varied);
+        if !varied.is_empty() {
+            let words: Vec<String> = varied.iter().map(Varied::words).collect();
+            text += &format!(" Not known exactly: {}.", words.join("; "));
+        }
         // The scene of a suite's runs has the peaks of its first motion.
         let fixed = match folder.run.get("motions") {
             Some(_) => words::fixed(scene),
@@ -153,14 +160,25 @@ fn sentence(folder: &Folder, scene: &Scene) -> String {
 fn blocks(folders: &[Folder]) -> Vec<Piece> {
     let mut drawn: Vec<String> = Vec::new();
     let mut pieces = Vec::new();
-    for scene in folders.iter().flat_map(Folder::scenes) {
+    let scenes = folders.iter().flat_map(|folder| {
+        folder.scenes().into_iter().map(|scene| (scene, folder.varied()))
+    });
+    for (scene, varied) in scenes {
         let Some(case) = block::case(&scene) else { continue };
         let svg = block::draw(&scene, &case);
         if drawn.contains(&svg) || drawn.len() == BLOCKS {
             continue;
         }
         let Ok(outlined) = topple_pictures::drawing::render::outlined(&svg) else { continue };
-        let caption = block::caption(&scene, &case);
+        let mut caption = block::caption(&scene, &case);
+        if !varied.is_empty() {
+            let names: Vec<&str> =
+                varied.iter().map(|one| one.parameter.entry().symbol).collect();
+            caption += &format!(
+                " Not known exactly, and drawn with one of the values: {}.",
+                names.join(", ")
+            );
+        }
         pieces.push(Piece::Picture(outlined, format!("{}:{caption}", scene.title)));
         drawn.push(svg);
     }
@@ -187,8 +205,8 @@ fn motions(folders: &[Folder]) -> Vec<Piece> {
                 let left_out = folder.run.get("left_out").and_then(Value::as_object);
                 let left_out = match left_out.map_or(0, |left_out| left_out.len()) {
                     0 => String::new(),
-                    1 => " One motion of it is left out.".to_string(),
-                    count => format!(" {count} motions of it are left out."),
+                    1 => " One line of it has no motion.".to_string(),
+                    count => format!(" {count} lines of it have no motion."),
                 };
                 let turned = match folder.is_in_both_directions() {
                     true => format!(

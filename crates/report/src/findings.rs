@@ -5,11 +5,13 @@ use std::collections::BTreeSet;
 use topple::results::columns::TABLE;
 use topple::results::earlier::Kind;
 use topple::scene::words;
+use topple_pictures::drawing::share::percent;
+use topple_studies::uncertain::Varied;
 
 use super::document::Piece;
 use super::folder::{Folder, ReportError, Row, Rows};
 use super::fragility;
-use super::tables::{ROWS, more, number, percent, shown, table, value};
+use super::tables::{ROWS, more, number, shown, table, value};
 
 /// What a picture shows, by its name and the kind of the run.
 fn meaning(kind: Kind, name: &str) -> &'static str {
@@ -195,8 +197,18 @@ pub fn motion(folder: &Folder) -> String {
     text
 }
 
+/// The motions of a suite: the rows of its table that have numbers. The others are lines without a motion.
+///
+/// # Errors
+/// [`ReportError::File`]: a table that cannot be read.
+pub fn motions(folder: &Folder) -> Result<Rows, ReportError> {
+    let mut rows = folder.table("suite.csv")?.unwrap_or_default();
+    rows.retain(|row| value(row, "pga_h").is_some());
+    Ok(rows)
+}
+
 fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
-    let rows = folder.table("suite.csv")?.unwrap_or_default();
+    let rows = motions(folder)?;
     let mut pieces = vec![Piece::Text(format!(
         "Motions of the suite: {}. Their peaks are with the scale factors of a list, where it has any.",
         rows.len()
@@ -221,7 +233,7 @@ fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         let more = left_out.len().saturating_sub(ROWS);
         pieces.push(Piece::List(left_out.into_iter().take(ROWS).collect()));
         if more > 0 {
-            let text = format!("{more} more motions are left out; run.json says why.");
+            let text = format!("{more} more lines have no motion; run.json says why.");
             pieces.push(Piece::Text(text));
         }
     }
@@ -444,12 +456,10 @@ pub fn probable(folder: &Folder) -> String {
 }
 
 fn probability(folder: &Folder) -> Vec<Piece> {
-    let varied = folder.run.get("vary").and_then(|vary| vary.as_array());
-    let varied: Vec<String> =
-        varied.into_iter().flatten().filter_map(|one| one.as_str().map(String::from)).collect();
+    let varied: Vec<String> = folder.varied().iter().map(Varied::words).collect();
     let mut pieces = vec![Piece::Text(probable(folder))];
     if !varied.is_empty() {
-        pieces.push(Piece::Code(varied));
+        pieces.push(Piece::List(varied));
     }
     pieces
 }

@@ -10,6 +10,7 @@ use topple::results::files::WriteError;
 use topple::scene::{Parameter, Scene, bounded};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::render;
+use topple_studies::uncertain::Varied;
 
 /// Why there is no report.
 #[derive(Debug, thiserror::Error)]
@@ -173,6 +174,12 @@ impl Folder {
     /// True where each motion of the suite is taken as it is and reversed.
     pub fn is_in_both_directions(&self) -> bool {
         self.run.get("both_directions").and_then(Value::as_bool) == Some(true)
+    }
+
+    /// The numbers that the run did not take as known.
+    pub fn varied(&self) -> Vec<Varied> {
+        let all = self.run.get("vary").and_then(Value::as_array).into_iter().flatten();
+        all.filter_map(|one| one.as_str()?.parse().ok()).collect()
     }
 
     /// A number of run.json.

@@ -1,12 +1,13 @@
 //! What a fragility found: its curves, the hazard of its site, how often the block fails.
 
+use topple_pictures::drawing::share::percent;
 use topple_pictures::drawing::render;
 use topple_pictures::studies::hazard;
 use topple_studies::suites::intensity::Intensity;
 
 use super::document::Piece;
 use super::folder::{Folder, ReportError, Row, Rows};
-use super::tables::{number, percent, shown, table, value};
+use super::tables::{number, shown, table, value};
 
 /// The estimator whose curves are drawn and told: the first of the run.
 fn estimator(folder: &Folder) -> &str {
@@ -141,15 +142,22 @@ fn judged(row: &Row, target: f64) -> Option<String> {
             Some(high) if high <= target => {
                 format!("This keeps {accepted}, and so does the upper end of its interval.")
             }
-            Some(_) => format!(
+            _ => format!(
                 "This keeps {accepted}, but the upper end of its interval exceeds it: with other motions it may not be kept."
             ),
-            None => format!("This keeps {accepted}; its interval is not known."),
         },
         "0" if value(row, "rate").is_some_and(|rate| rate > target) => {
             format!("This exceeds {accepted}.")
         }
-        "0" => format!("With what the hazard curve may leave out, this may exceed {accepted}."),
+        "0" => match value(row, "rate").map(|rate| rate + missing(row)) {
+            _ if highest(row).is_none() => {
+                format!("Whether this keeps {accepted} is not known: the rate has no upper bound.")
+            }
+            Some(most) if most > target => {
+                format!("With what the hazard curve may leave out, this may exceed {accepted}.")
+            }
+            _ => format!("By the upper end of its interval this may exceed {accepted}."),
+        },
         _ => return None,
     })
 }
@@ -333,13 +341,17 @@ mod tests {
     #[test]
     fn a_rate_keeps_the_target_surely_or_not() {
         let told = |rate: &str, high: &str, below: &str| {
-            let row = [("rate", rate), ("rate_high", high), ("below_target", below)];
+            let missing = ("missing_above", "1.5e-4");
+            let row = [("rate", rate), ("rate_high", high), ("below_target", below), missing];
             let row = row.into_iter().map(|(a, b)| (a.into(), b.into())).collect();
             judged(&row, 4.0e-4).unwrap_or_default()
         };
-        assert!(told("1e-4", "3e-4", "1").ends_with("so does the upper end of its interval."));
+        assert!(told("1e-4", "2e-4", "1").ends_with("so does the upper end of its interval."));
         assert!(told("1e-4", "2e-2", "1").ends_with("it may not be kept."));
-        assert!(told("1e-4", "", "1").ends_with("its interval is not known."));
+        assert!(told("1e-4", "", "0").ends_with("is not known: the rate has no upper bound."));
+        // A step, or bounds alone.
+        assert!(told("1e-4", "3e-4", "0").starts_with("By the upper end of its interval"));
+        assert!(told("", "3e-4", "0").starts_with("By the upper end of its interval"));
         assert_eq!(told("5e-4", "6e-4", "0"), "This exceeds the accepted rate, 0.0004 a year.");
         assert!(
             told("3e-4", "3.5e-4", "0").starts_with("With what the hazard curve may leave out")

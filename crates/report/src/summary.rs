@@ -2,9 +2,10 @@
 
 use serde_json::Value;
 use topple::results::earlier::Kind;
+use topple_pictures::drawing::share::percent;
 
 use super::folder::{Folder, ReportError, Row, Rows};
-use super::tables::{number, percent, shown, value};
+use super::tables::{number, shown, value};
 use super::{along, findings, fragility};
 
 /// Devices that are named.
@@ -41,7 +42,7 @@ fn found(folder: &Folder) -> Result<Vec<String>, ReportError> {
     Ok(match folder.kind {
         Kind::Map => map(folder)?,
         Kind::History => vec![findings::motion(folder)],
-        Kind::Suite => suite(&folder.table("suite.csv")?.unwrap_or_default()),
+        Kind::Suite => suite(folder, &findings::motions(folder)?),
         Kind::Envelope => {
             std::iter::once(findings::kept(folder)).chain(findings::best(folder)?).collect()
         }
@@ -79,15 +80,27 @@ fn map(folder: &Folder) -> Result<Vec<String>, ReportError> {
     Ok(std::iter::once(told).chain(findings::tensile(folder)).collect())
 }
 
-fn suite(rows: &Rows) -> Vec<String> {
+fn suite(folder: &Folder, rows: &Rows) -> Vec<String> {
     let peaks = rows.iter().filter_map(|row| value(row, "pga_h"));
     let (least, most) = peaks.fold((f64::MAX, 0.0_f64), |(a, b), peak| (a.min(peak), b.max(peak)));
     let peaks = match most >= least {
         true => format!(", with horizontal peaks from {} to {} m/s²", number(least), number(most)),
         false => String::new(),
     };
-    let count = rows.len();
-    vec![format!("{count} {}{peaks}.", if count == 1 { "motion" } else { "motions" })]
+    let counted = |count: f64, thing: &str| match count {
+        1.0 => format!("1 {thing}"),
+        count => format!("{count} {thing}s"),
+    };
+    let groups = [("recordings", "recording"), ("events", "earthquake")];
+    let of = groups.iter().filter_map(|(key, thing)| Some(counted(folder.number(key)?, thing)));
+    let of: String = of.map(|of| format!(" of {of}")).collect();
+    let mut told = vec![format!("{}{of}{peaks}.", counted(rows.len() as f64, "motion"))];
+    let left_out = folder.run.get("left_out").and_then(Value::as_object).map_or(0, |all| all.len());
+    if left_out > 0 {
+        let have = if left_out == 1 { "has" } else { "have" };
+        told.push(format!("{} of the suite {have} no motion.", counted(left_out as f64, "line")));
+    }
+    told
 }
 
 /// Which devices of a comparison keep all limits, or else under which the block stands most often; and which has the lowest rate.

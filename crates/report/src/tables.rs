@@ -14,14 +14,6 @@ pub fn number(value: f64) -> String {
     if short != 0.0 && short.abs() < 1.0e-4 { format!("{short:e}") } else { short.to_string() }
 }
 
-/// A share as a percentage.
-pub fn percent(share: f64) -> String {
-    match 100.0 * share {
-        some if some > 0.0 && some < 0.1 => "less than 0.1 %".into(),
-        share => format!("{share:.1} %"),
-    }
-}
-
 /// The number in a cell of a table; none where the cell holds none.
 pub fn value(row: &Row, column: &str) -> Option<f64> {
     row.get(column)?.parse().ok()

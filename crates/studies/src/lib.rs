@@ -40,4 +40,4 @@ pub use suites::verified::Verified;
 pub use suites::wanted::WantedMotion;
 pub use suites::{Entry as SuiteEntry, Motion, Suite, SuiteError, SuiteRequest};
 pub use uncertain::varied::VariedError;
-pub use uncertain::{Design, Index, Probabilities, Uncertainty, Varied};
+pub use uncertain::{Design, Explained, Index, Probabilities, Uncertainty, Varied};

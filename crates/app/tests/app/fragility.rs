@@ -191,6 +191,7 @@ fn a_scaled_motion_has_the_level() {
                 id: "a".into(),
                 weight: 1.0,
                 pair: pair(peak, omega),
+                ground: pair(peak, omega),
                 factors: vec![1.0],
                 settings: Vec::new(),
             })
@@ -317,12 +318,32 @@ fn points_are_runs_of_their_numbers() {
     let of: Vec<&Row> = counts.iter().filter(|row| row["limit_state"] == "overturning").collect();
     assert!(of.iter().all(|row| row["records"] == "32"));
     assert_eq!(of.iter().map(|row| number(row, "failed")).sum::<f64>(), failed);
+    // Four samples tell no index.
+    for row in rows(&out.join("sensitivity.csv")) {
+        assert!(row.iter().all(|(name, text)| !name.contains('_') || name == "limit_state" || text.is_empty()), "{row:?}");
+        assert!(row["first"].is_empty() && row["total"].is_empty(), "{row:?}");
+    }
+    let out = fragility("more", &[&vary[..], &["--samples", "32"]].concat());
     let indices = rows(&out.join("sensitivity.csv"));
     let of = |parameter: &str| indices.iter().find(|row| row["parameter"] == parameter).unwrap();
     // Free vibration after the motion overturns nothing here.
     assert_eq!(number(of("t_max"), "total"), 0.0);
     assert!(number(of("eccentricity"), "total") > 0.5);
     assert!(!out.join("capacities.csv").exists());
+}
+
+/// Indices that so few samples do not tell are words on the terminal.
+#[test]
+fn too_few_samples_are_said() {
+    let (place, list) = suite();
+    let (_, to) = within(&place, "out");
+    let asked = ["--levels", "1:16:6:log", "--t-h", "1.5", "--t-v", "0.5", "--verify", "none"];
+    let vary = ["--vary", "eccentricity=uniform(-0.3,0.3)", "--samples", "2", "--u-y", "0.01"];
+    let common = ["fragility", "--suite", &list, "--out", &to, "--object", "1"];
+    let told = said(&topple(&[&common[..], &asked, &vary].concat()).success());
+    let wanted = "explains   eccentricity: not known with so few samples (--samples)";
+    assert!(told.contains(wanted), "{told}");
+    assert!(told.contains("varies     eccentricity=uniform(-0.3,0.3)"), "{told}");
 }
 
 /// What nothing is known of is said, not printed as a number: here no run fails at any point.

@@ -38,6 +38,7 @@ mod remarks;
 mod repair;
 mod reports;
 mod resampled;
+mod same_runs;
 mod shards;
 mod stated_columns;
 mod suite_files;

@@ -564,3 +564,59 @@ fn a_summary_names_the_best_base_and_tensile_contact() {
         }
     }
 }
+
+/// A report counts motions, not the lines of a list, and names the lines that have none.
+#[test]
+fn a_report_counts_motions_and_names_lines_without_one() {
+    let (place, list) = suite();
+    let mut text = read(Path::new(&list));
+    text += "gone,gone.txt,gone_v.txt,0.02,m/s2\nlost,lost.txt,,0.02,m/s2\n";
+    fs::write(&list, text).unwrap();
+    topple(&place, &["suite", "list.csv", "--out", "suite"]).success();
+    topple(&place, &["report", "suite", "--out", "report.html"]).success();
+    let page = read(&place.path().join("report.html"));
+    for part in [
+        "Found: 4 motions of 4 recordings, with horizontal peaks from",
+        "2 lines of the suite have no motion.",
+        "Motions of the suite: 4.",
+        "gone is left out: ",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    // The table of motions has them alone.
+    assert!(!page.contains("<td>gone</td>") && page.contains("<td>a</td>"));
+    let base = ["--object", "1", "--u-y", "0.01", "--t-h", "1", "--t-v", "0.5", "--verify", "none"];
+    let envelope = ["envelope", "--suite", "list.csv", "--out", "envelope"];
+    topple(&place, &[&envelope[..], &base].concat()).success();
+    topple(&place, &["report", "envelope", "--out", "report.html"]).success();
+    let page = read(&place.path().join("report.html"));
+    assert!(page.contains("4 motions of the suite list.csv") && page.contains("2 lines of it have no motion."));
+}
+
+/// What a run did not take as known is not called fixed.
+#[test]
+fn numbers_that_vary_are_not_fixed() {
+    let (place, _) = suite();
+    let block = "--half-width 0.3 --height 1 --isolation none --verify none --backend cpu";
+    let vary = "--vary height=uniform(0.6,1.3) --samples 2";
+    let runs = [
+        format!("fragility {block} {vary} --suite list.csv --levels 1:20:6:log --out run"),
+        format!("envelope {block} {vary} --suite list.csv --out run"),
+        format!("pulse {block} {vary} --omega 2:8:3 --a-h 1:8:3 --out run"),
+    ];
+    for line in runs {
+        topple(&place, &line.split(' ').collect::<Vec<_>>()).success();
+        topple(&place, &["report", "run", "--out", "report.html"]).success();
+        let page = read(&place.path().join("report.html"));
+        assert!(page.contains("Not known exactly: H, uniform from 0.6 to 1.3 m."), "{line}");
+        let from = page.find("Fixed: ").unwrap();
+        let fixed = &page[from..from + page[from..].find("</li>").unwrap()];
+        assert!(fixed.contains("B = 0.3 m") && !fixed.contains("H = "), "{line}: {fixed}");
+        assert!(page.contains("drawn with one of the values: H."), "{line}");
+        // Nor does a picture of the run say it.
+        if line.starts_with("fragility") {
+            assert!(!read(&place.path().join("run/fragility.svg")).contains("H = 1 m"), "{line}");
+        }
+        fs::remove_dir_all(place.path().join("run")).unwrap();
+    }
+}

@@ -357,6 +357,34 @@ fn merged_shards_are_the_map() {
     pulse(&shards, &GRID).args(["--tile", "3/4", "--backend", "cpu"]).assert().code(2);
 }
 
+/// A map of shards may have what the same map has.
+#[test]
+fn merged_shards_have_spectra() {
+    let dir = TempDir::new().unwrap();
+    let [whole, shards, merged] = ["whole", "shards", "merged"].map(|name| dir.path().join(name));
+    pulse(&whole, &GRID).args(["--backend", "cpu", "--spectrum"]).assert().success();
+    for k in ["1/2", "2/2"] {
+        shard(&shards, k, &[]);
+    }
+    merge(std::slice::from_ref(&shards), &merged).arg("--spectrum").assert().success();
+    for name in ["spectrum.csv", "spectrum.svg", "spectrum.png"] {
+        let [a, b] = [&whole, &merged].map(|out| fs::read(out.join(name)).unwrap());
+        assert!(a == b && !a.is_empty(), "{name} differs");
+    }
+    // Axes without a strength have none.
+    let other = dir.path().join("other");
+    for k in ["1/2", "2/2"] {
+        let grid = ["--t-h", "1:2:4", "--t-v", "0.5:1:4", "--omega", "5", "--a-h", "3"];
+        let mut command = Command::cargo_bin("topple").unwrap();
+        command.args(["pulse", "--object", "1", "--t-max", "6", "--quiet", "--backend", "cpu"]);
+        command.args(grid).args(["--tile", k, "--out"]).arg(&other).assert().success();
+    }
+    let refused = merge(&[other], &dir.path().join("none")).arg("--spectrum").assert().code(2);
+    let said = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
+    assert!(said.contains("--spectrum: spectra are of a map of two axes"), "{said}");
+    assert!(!dir.path().join("none").join("map.csv").exists());
+}
+
 /// Shards under a record, and of two backends: the manifest says which cells came from where.
 #[test]
 fn shards_may_come_from_different_backends() {

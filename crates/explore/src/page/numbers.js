@@ -33,11 +33,12 @@ export function read(value, digits = 4) {
 /** A power's exponent in raised digits. */
 export const superscript = (power) => [...String(power)].map((sign) => (sign === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(sign)])).join('');
 
-/** A share in percent; one that is not zero is never shown as zero. */
+/** A share in percent; one that is not zero is never shown as zero, nor one below 1 as all. Twin: drawing/share.rs. */
 export function percent(share) {
-  if (share > 0 && share < 0.0005) return '< 0.1 %';
-  if (share < 1 && share > 0.9995) return '> 99.9 %';
-  return `${(100 * share).toFixed(1)} %`;
+  const text = (100 * share).toFixed(1);
+  if (share > 0 && text === '0.0') return '< 0.1 %';
+  if (share < 1 && text === '100.0') return '> 99.9 %';
+  return `${text} %`;
 }
 
 /** A count with thousands apart. The browser's own formatter takes 70 ms to begin with. */

@@ -16,6 +16,7 @@ pub mod print;
 pub mod raster;
 pub mod render;
 pub(crate) mod scale;
+pub mod share;
 pub mod swatch;
 pub mod text;
 pub(crate) mod ticks;

@@ -43,7 +43,7 @@ pub fn draw(envelope: &Envelope, title: &str, print: Print) -> Result<Option<Str
     let top = caption::titled(
         &mut canvas,
         print.title.unwrap_or(title),
-        &words::fixed(&envelope.sweep.scene),
+        &words::fixed(&envelope.known()),
     ) + MARGIN;
     let (x, side) = side(&canvas);
     let place = Place { x, y: top, width: side, height: side };

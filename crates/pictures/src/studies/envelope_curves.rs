@@ -34,7 +34,7 @@ struct Panel<'a> {
 pub fn draw(envelope: &Envelope, axis: &grid::Axis, title: &str, print: Print) -> String {
     let mut canvas = print.canvas(COLUMN);
     let most = canvas.inner();
-    let fixed = words::fixed(&envelope.sweep.scene);
+    let fixed = words::fixed(&envelope.known());
     let mut y = caption::titled(&mut canvas, print.title.unwrap_or(title), &fixed) + MARGIN;
     let limits = envelope.settings.limits;
     let moves = envelope.sweep.scene.isolation;

@@ -11,11 +11,11 @@ use topple::results::colour::{BLACK, Colour};
 use topple::results::palette::STATES;
 use topple::scene::grid;
 use topple::scene::words;
-use topple_studies::fragility::HazardCurve;
 use topple_studies::fragility::estimate::Estimate;
-use topple_studies::fragility::fit::Lognormal;
+use topple_studies::fragility::{Curve, HazardCurve, Lognormal};
 use topple_studies::fragility::study::{StateStudy, Study};
 use topple_studies::suites::intensity::Intensity;
+use topple_studies::uncertain::Varied;
 
 /// Height of a plot of curves.
 const HEIGHT: f64 = 150.0;
@@ -34,7 +34,8 @@ const FURTHER: f64 = 4.0;
 /// The title, what is fixed, and where the plot below begins.
 pub(super) fn begin(study: &Study, title: &str, print: Print) -> (Canvas, f64) {
     let mut canvas = print.canvas(COLUMN);
-    let mut parts = words::fixed(&study.sweep.scene);
+    let varied = study.settings.unknown.as_ref().map_or(&[][..], |unknown| &unknown.varied);
+    let mut parts = words::fixed(&Varied::fixed(&study.sweep.scene, varied));
     if let Some(unknown) = &study.settings.unknown {
         let varied = unknown.varied.iter().map(|varied| varied.parameter.entry().symbol);
         parts.push(format!("varied: {}", varied.collect::<Vec<_>>().join(", ")));
@@ -63,21 +64,22 @@ pub fn curves(study: &Study, intensity: Intensity, print: Print) -> String {
     let frame = Frame::new(place, axis, Axis::new(0.0, 1.0, "probability"));
     let mut entries: Vec<Entry> = Vec::new();
     let level = |k: u32| low * (high / low).powf(f64::from(k) / f64::from(POINTS));
-    let through = |theta: f64, beta: f64, others: [f64; 2]| -> Vec<Point> {
-        let fragility = Lognormal { theta, beta };
+    // The curve with another theta: in ln x it is shifted.
+    let through = |of: Curve, theta: f64, others: [f64; 2]| -> Vec<Point> {
         let mut points: Vec<f64> = (0..=POINTS).map(level).chain(others).collect();
         points.sort_by(f64::total_cmp);
-        points.into_iter().map(|x| frame.at((x.log10(), fragility.probability(x)))).collect()
+        points.into_iter().map(|x| frame.at((x.log10(), of.probability(x * (of.theta / theta))))).collect()
     };
-    let curve = |theta: f64, beta: f64| through(theta, beta, [low, high]);
     let one = study.cells[0].states.iter().zip(&study.settings.states);
     canvas.clipped(place, |canvas| {
         let mut edges: Vec<(Vec<Point>, Colour)> = Vec::new();
         for (k, (of, _)) in one.clone().enumerate() {
             let fit = &of.estimates[0];
             // Curves between theta's bounds: beta is that of the fit.
-            if let (Some(low), Some(high), Some(beta)) = (fit.theta_low, fit.theta_high, fit.beta) {
-                let (left, right) = (curve(low, beta), curve(high, beta));
+            if let (Some(from), Some(to), Some(of), Some(_)) =
+                (fit.theta_low, fit.theta_high, fit.curve, fit.beta)
+            {
+                let [left, right] = [from, to].map(|theta| through(of, theta, [low, high]));
                 // One band does not hide another.
                 let colour = STATES[k % STATES.len()].0;
                 let around = left.iter().chain(right.iter().rev()).copied();
@@ -93,7 +95,8 @@ pub fn curves(study: &Study, intensity: Intensity, print: Print) -> String {
                 let ends = fails
                     .zip(of.stripes.last())
                     .map_or([high; 2], |(from, to)| [from.level, to.level]);
-                let line = through(theta, fit.beta.unwrap_or(0.0), ends);
+                let own = fit.curve.unwrap_or_else(|| Lognormal { theta, beta: 0.0 }.into());
+                let line = through(own, theta, ends);
                 let [from, to] = ends.map(|level| frame.at((level.log10(), 0.0)).0);
                 let part = |within: &dyn Fn(f64) -> bool| -> Vec<Point> {
                     line.iter().copied().filter(|(x, _)| within(*x)).collect()

@@ -14,6 +14,7 @@ use topple::results::palette::CURVES;
 use topple::results::ramp;
 use topple::scene::Scene;
 use topple::scene::words;
+use topple_studies::uncertain::Varied;
 use topple_studies::uncertain::probability::{Probabilities, Uncertainty};
 
 /// Height of a curve's plot.
@@ -23,12 +24,8 @@ const NAME: &str = "probability of overturning";
 
 /// What is known of a scene, and what is not.
 fn said(scene: &Scene, uncertainty: &Uncertainty) -> Vec<String> {
-    let mut known = scene.clone();
-    for varied in &uncertainty.vary {
-        known.numbers.remove(varied.parameter);
-    }
-    let mut parts = words::parameters(&known);
-    let varied = |varied: &topple_studies::uncertain::Varied| {
+    let mut parts = words::parameters(&Varied::fixed(scene, &uncertainty.vary));
+    let varied = |varied: &Varied| {
         let entry = varied.parameter.entry();
         let unit = if entry.unit.is_empty() { String::new() } else { format!(" {}", entry.unit) };
         format!("{}: {}{unit}", entry.symbol, varied.distribution)

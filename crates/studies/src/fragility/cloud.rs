@@ -1,15 +1,10 @@
 //! The fit to a cloud: a regression of the demand on those that stand, and the share of those that collapse.
 
 use super::binary::{self, Binary, Line};
+use super::curve::{Curve, Part, Shape};
 use super::fit::{Fit, Gap};
 use super::link::logit;
 use super::runs::{Pool, RecordRuns, Weighed, weighed};
-use crate::statistics::normal;
-
-/// Phi(1): a lognormal curve has this probability at ln theta + beta.
-const UPPER: f64 = 0.841_344_746_068_542_9;
-/// Halvings of a bracket of ln x, which leave nothing but rounding.
-const HALVINGS: u32 = 60;
 
 /// A cloud of runs, prepared for resampling.
 #[derive(Debug)]
@@ -35,23 +30,6 @@ struct Sums {
     dd: f64,
 }
 
-/// A demand that grows with the level: ln demand = slope (ln x - at) + eps, eps of standard deviation slope times scale.
-#[derive(Debug, Clone, Copy)]
-struct Growth {
-    /// ln x where the median demand is the limit.
-    at: f64,
-    /// sigma over slope.
-    scale: f64,
-}
-
-/// How the share that collapses depends on ln x.
-#[derive(Debug, Clone, Copy)]
-enum Collapse {
-    Never,
-    Step(f64),
-    Logistic(Line),
-}
-
 impl Cloud {
     /// Of records. Where no run has a demand, the probability of failing is fitted as that of collapse is.
     pub fn of(records: &[RecordRuns]) -> Cloud {
@@ -73,9 +51,8 @@ impl Cloud {
     }
 
     /// The curve P = P(demand exceeds its limit | stands, x) (1 - P(C | x)) + P(C | x) (Jalayer et al. 2017, Earthquake
-    /// Engng Struct. Dyn. 46(15)), told by two numbers: theta is the level where P = 1/2,
-    /// and beta half the distance in ln x between P = Phi(-1) and P = Phi(1), about 16 % and 84 %. The curve is not
-    /// lognormal, unless nothing collapses.
+    /// Engng Struct. Dyn. 46(15)). It is not lognormal, unless nothing collapses: theta is the level where P = 1/2, and beta half the
+    /// distance in ln x between P = Phi(-1) and P = Phi(1), about 16 % and 84 %.
     ///
     /// P(demand exceeds) is Phi((ln a + b ln x)/sigma), with a, b by weighted least squares over the runs that stand with
     /// a demand above zero, and sigma^2 the sum of squares over n - 2. Runs with a demand of zero have no logarithm and are
@@ -89,15 +66,16 @@ impl Cloud {
     /// The same for resampled records.
     pub(super) fn fit_resampled(&self, times: Option<&[u32]>) -> Fit {
         let stripes = self.collapses.stripes(times);
+        let logistic = |at, scale| Some(Part { shape: Shape::Logistic, at, scale });
         let collapse = match binary::fit(&stripes, logit, self.near) {
             Binary::NoRuns => return Fit::NoRuns,
             Binary::NotIncreasing => return Fit::NotIncreasing,
-            Binary::Line(line) => Collapse::Logistic(line),
+            Binary::Line(line) => logistic(line.at, line.scale),
             Binary::Separable(gap) if self.demands.is_none() => return Fit::Separable(gap),
             Binary::Separable(gap) => match (gap.stands, gap.fails) {
-                (_, None) => Collapse::Never,
+                (_, None) => None,
                 (None, _) => return Fit::Separable(gap),
-                (Some(stands), Some(fails)) => Collapse::Step(0.5 * (stands.ln() + fails.ln())),
+                (Some(stands), Some(fails)) => logistic(0.5 * (stands.ln() + fails.ln()), 0.0),
             },
         };
         let growth = match &self.demands {
@@ -111,61 +89,16 @@ impl Cloud {
                 }
             }
         };
-        let level = |share: f64, deviations: f64| level(growth, collapse, share, deviations);
-        let middle = level(0.5, -0.7);
-        // The third number is below the number of standard deviations at which Phi is half the share.
-        let beta = 0.5 * (level(UPPER, -0.3) - level(1.0 - UPPER, -1.5));
-        if beta <= 1.0e-12 * (1.0 + middle.abs()) {
-            let step = middle.exp();
-            let gap = Gap { stands: Some(step), fails: Some(step) };
-            let told = step > 0.0 && step.is_finite();
-            return if told { Fit::Separable(gap) } else { Fit::NotIncreasing };
+        let (first, second) = match (growth, collapse) {
+            (Some(growth), collapse) => (growth, collapse),
+            (None, Some(collapse)) => (collapse, None),
+            (None, None) => return Fit::NoRuns,
+        };
+        let Some(curve) = Curve::of(first, second) else { return Fit::NotIncreasing };
+        if curve.beta <= 1.0e-12 * (1.0 + curve.theta.ln().abs()) {
+            return Fit::Separable(Gap { stands: Some(curve.theta), fails: Some(curve.theta) });
         }
-        Fit::of_logarithm(middle, beta)
-    }
-}
-
-/// ln x where the curve has a probability, by bisection. P is at least the larger of its two parts and at most their sum:
-/// the level is between those where the first part reaches half the probability and where one reaches all of it.
-fn level(growth: Option<Growth>, collapse: Collapse, share: f64, half: f64) -> f64 {
-    let odds = |share: f64| (share / (1.0 - share)).ln();
-    let by_collapse = |share: f64| match collapse {
-        Collapse::Never => f64::INFINITY,
-        Collapse::Step(at) => at,
-        Collapse::Logistic(line) => line.at + line.scale * odds(share),
-    };
-    let Some(growth) = growth else {
-        return by_collapse(share);
-    };
-    let reaches = if share == 0.5 { 0.0 } else { (share - 0.5).signum() };
-    let mut low = by_collapse(0.5 * share).min(growth.at + growth.scale * half);
-    let mut high = by_collapse(share).min(growth.at + growth.scale * reaches);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        let stands = growth.stands(middle) * collapse.stands(middle);
-        if 1.0 - stands < share { low = middle } else { high = middle }
-    }
-    0.5 * (low + high)
-}
-
-impl Growth {
-    /// The share whose demand stays below the limit.
-    fn stands(self, ln: f64) -> f64 {
-        if self.scale > 0.0 {
-            return normal::cdf((self.at - ln) / self.scale);
-        }
-        f64::from(u8::from(ln < self.at))
-    }
-}
-
-impl Collapse {
-    /// The share that does not collapse.
-    fn stands(self, ln: f64) -> f64 {
-        match self {
-            Collapse::Never => 1.0,
-            Collapse::Step(at) => f64::from(u8::from(ln < at)),
-            Collapse::Logistic(line) => 1.0 / (1.0 + ((ln - line.at) / line.scale).exp()),
-        }
+        Fit::Fitted(curve)
     }
 }
 
@@ -195,7 +128,7 @@ impl Sums {
         Sums { runs: k * runs, n: k * n, s: k * s, d: k * d, ss: k * ss, sd: k * sd, dd: k * dd }
     }
 
-    fn growth(self, centre: f64) -> Result<Growth, Fit> {
+    fn growth(self, centre: f64) -> Result<Part, Fit> {
         let Sums { n, s, d, .. } = self;
         let (ss, sd, dd) = (self.ss - s * s / n, self.sd - s * d / n, self.dd - d * d / n);
         // What rounding leaves of sums of squares that are zero.
@@ -210,7 +143,7 @@ impl Sums {
         if !(slope > 0.0 && at.is_finite() && (sigma / slope).is_finite()) {
             return Err(Fit::NotIncreasing);
         }
-        Ok(Growth { at, scale: sigma / slope })
+        Ok(Part { shape: Shape::Normal, at, scale: sigma / slope })
     }
 }
 

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::cloud::Cloud;
+use super::curve::Curve;
 use super::fit::{Fit, Gap, Lognormal};
 use super::hazard::HazardCurve;
 use super::ida::Capacities;
@@ -65,8 +66,8 @@ pub struct Estimate {
     pub without_fit: usize,
     /// What a reader of the numbers must know, if anything.
     pub note: Option<Note>,
-    /// The step that stands for separable data, where levels on both sides tell it.
-    pub step: Option<f64>,
+    /// The curve that rates are made of; of separable data a step, where levels on both sides tell it.
+    pub curve: Option<Curve>,
     /// The annual rate over a hazard curve, where there is one.
     pub rate: Option<RateEstimate>,
 }
@@ -211,13 +212,13 @@ pub fn estimate(
 }
 
 fn resampled(
-    curve: Lognormal,
+    curve: Curve,
     groups: &[usize],
     bootstrap: &Bootstrap,
     (hazard, rate): (Option<&HazardCurve>, Option<RateEstimate>),
     prepared: &Prepared,
 ) -> Estimate {
-    let refit = |times: &[u32]| prepared.fit(Some(times), Some(curve));
+    let refit = |times: &[u32]| prepared.fit(Some(times), Some(curve.lognormal()));
     let interval = interval::bootstrap(groups, bootstrap, curve, hazard, refit);
     let note = Note::WithoutFit { count: interval.without_fit, of: bootstrap.replicates as usize };
     let [low, high] = interval.rate;
@@ -231,7 +232,7 @@ fn resampled(
         separable: false,
         without_fit: interval.without_fit,
         note: (interval.without_fit > 0).then_some(note),
-        step: None,
+        curve: Some(curve),
         rate: rate.map(|rate| RateEstimate { low, high, ..rate }),
     }
 }
@@ -257,21 +258,13 @@ fn separable(
         beta_high: bounds.beta_high,
         separable: true,
         note: Some(Note::Separable(gap)),
-        step: rates::step(gap, stripes),
+        curve: rates::step(gap, stripes).map(Curve::step),
         rate: hazard.map(|hazard| RateEstimate::of_gap(gap, within, stripes, hazard)),
         ..Estimate::NONE
     }
 }
 
 impl Estimate {
-    /// The curve that rates are made of: in separable data a step, where levels on both sides tell it.
-    pub fn curve(&self) -> Option<Lognormal> {
-        match (self.theta.zip(self.beta), self.step) {
-            (Some((theta, beta)), _) => Some(Lognormal { theta, beta }),
-            (None, step) => step.map(|theta| Lognormal { theta, beta: 0.0 }),
-        }
-    }
-
     const NONE: Estimate = Estimate {
         theta: None,
         theta_low: None,
@@ -282,7 +275,7 @@ impl Estimate {
         separable: false,
         without_fit: 0,
         note: None,
-        step: None,
+        curve: None,
         rate: None,
     };
 }

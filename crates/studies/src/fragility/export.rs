@@ -127,7 +127,8 @@ fn chains(states: &[LimitState]) -> Vec<(&'static str, Vec<LimitState>)> {
 fn curves(study: &Study, cell: usize, chain: &[LimitState]) -> Option<Vec<Lognormal>> {
     let of = |state: &LimitState| {
         let number = study.settings.states.iter().position(|known| known == state)?;
-        let curve = study.cells[cell].states[number].estimates[0].curve()?;
+        // Other programs have lognormal curves alone.
+        let curve = study.cells[cell].states[number].estimates[0].curve?.lognormal();
         Some(Lognormal { beta: curve.beta.max(STEP), ..curve })
     };
     chain.iter().map(of).collect()

@@ -1,6 +1,6 @@
-//! What a fit answers: a lognormal curve, or why there is none.
+//! What a fit answers: a curve, or why there is none.
 
-use crate::statistics::normal;
+use super::curve::Curve;
 
 /// A lognormal fragility: P(x) = Phi(ln(x/theta)/beta).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,11 +20,7 @@ impl Lognormal {
 
     /// The probability that the limit state fails at a level.
     pub fn probability(&self, level: f64) -> f64 {
-        let above = level.ln() - self.theta.ln();
-        if self.beta > 0.0 {
-            return normal::cdf(above / self.beta);
-        }
-        if above == 0.0 { 0.5 } else { f64::from(u8::from(above > 0.0)) }
+        Curve::from(self).probability(level)
     }
 }
 
@@ -54,7 +50,7 @@ impl Gap {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Fit {
     /// The curve.
-    Fitted(Lognormal),
+    Fitted(Curve),
     /// No run fails below a level, and none stands above it: the likelihood has no maximum with beta > 0, it grows while
     /// beta goes to zero. Where an end of the gap is open, all runs fail or none does.
     Separable(Gap),
@@ -70,7 +66,7 @@ pub enum Fit {
 
 impl Fit {
     /// The curve, if there is one.
-    pub fn curve(&self) -> Option<Lognormal> {
+    pub fn curve(&self) -> Option<Curve> {
         match self {
             Fit::Fitted(curve) => Some(*curve),
             _ => None,
@@ -79,7 +75,8 @@ impl Fit {
 
     /// Of a position and a scale on the axis of ln x.
     pub(super) fn of_logarithm(ln_theta: f64, beta: f64) -> Fit {
-        Lognormal::of_logarithm(ln_theta, beta).map_or(Fit::NotIncreasing, Fit::Fitted)
+        let curve = Lognormal::of_logarithm(ln_theta, beta);
+        curve.map_or(Fit::NotIncreasing, |curve| Fit::Fitted(curve.into()))
     }
 }
 

@@ -1,14 +1,15 @@
 //! Integrals over parts of a hazard curve: of a fragility, of shares, of curves that are held below others.
 
-use super::fit::Lognormal;
+use super::curve::{Curve, Part};
 use super::hazard::HazardCurve;
-use super::hazard_segment::{REACH, integral, segment};
+use super::hazard_segment::{integral, scale, segment};
 
 impl HazardCurve {
     /// The rate of failure of the levels between two logarithms alone, as [`HazardCurve::rate`] of all.
-    pub fn rate_between(&self, fragility: &Lognormal, low: f64, high: f64) -> f64 {
+    pub fn rate_between(&self, curve: impl Into<Curve>, low: f64, high: f64) -> f64 {
+        let curve = curve.into();
         // Of no segment the sum is -0.
-        self.segments(low, high).map(|(from, to)| segment(from, to, fragility)).sum::<f64>() + 0.0
+        self.segments(low, high).map(|(from, to)| segment(from, to, &curve)).sum::<f64>() + 0.0
     }
 
     /// The rate of a probability that is given at points, ln x and P each, and linear in ln x between them; zero below the
@@ -34,48 +35,39 @@ impl HazardCurve {
     }
 
     /// The part of a curve's rate that comes from above the lowest of others: the integral of the difference where it is positive.
-    pub fn excess(&self, fragility: &Lognormal, others: &[Lognormal]) -> f64 {
-        self.with_others(fragility, others, |own, lowest| (own - lowest).max(0.0))
+    pub fn excess(&self, curve: &Curve, others: &[Curve]) -> f64 {
+        self.with_others(curve, others, |own, lowest| (own - lowest).max(0.0))
     }
 
     /// The rate of a curve that is held below others.
-    pub fn held_below(&self, fragility: &Lognormal, others: &[Lognormal]) -> f64 {
-        self.with_others(fragility, others, f64::min)
+    pub fn held_below(&self, curve: &Curve, others: &[Curve]) -> f64 {
+        self.with_others(curve, others, f64::min)
     }
 
     /// The integral of what a curve's probability and the lowest of others make together; it does not change with the level
     /// where none of them does.
     fn with_others(
         &self,
-        fragility: &Lognormal,
-        others: &[Lognormal],
+        curve: &Curve,
+        others: &[Curve],
         together: impl Fn(f64, f64) -> f64,
     ) -> f64 {
-        let all: Vec<Lognormal> = others.iter().chain([fragility]).copied().collect();
-        // Where a curve begins and ends to change, and where it meets the first; the ends of the hazard.
+        let parts: Vec<Part> = others.iter().chain([curve]).flat_map(Curve::parts).collect();
+        // Where a part begins and ends to change; the ends of the hazard.
         let mut breaks = vec![f64::MIN, f64::MAX];
-        for curve in &all {
-            let (middle, reach) = (curve.theta.ln(), REACH * curve.beta);
-            breaks.extend([middle - reach, middle, middle + reach]);
-            if curve.beta != fragility.beta {
-                let met = middle * fragility.beta - fragility.theta.ln() * curve.beta;
-                breaks.push(met / (fragility.beta - curve.beta));
-            }
-        }
-        breaks.retain(|y| y.is_finite());
+        breaks.extend(parts.iter().flat_map(Part::ends));
         breaks.sort_by(f64::total_cmp);
-        let probability = |y: f64| {
-            let x = y.exp();
-            let lowest = others.iter().map(|curve| curve.probability(x)).fold(1.0, f64::min);
-            together(fragility.probability(x), lowest)
-        };
+        let lowest = |y: f64| others.iter().map(|other| other.at(y)).fold(1.0, f64::min);
+        let probability = |y: f64| together(curve.at(y), lowest(y));
+        let above = |y: f64| curve.at(y) > lowest(y);
         let between = |ends: &[f64]| {
             let middle = 0.5 * ends[0] + 0.5 * ends[1];
-            let changes = |curve: &&Lognormal| {
-                (middle - curve.theta.ln()).abs() < REACH * curve.beta && curve.beta > 0.0
+            let changes = |part: &Part| {
+                let [low, high] = part.ends();
+                low < middle && middle < high
             };
-            let beta = all.iter().filter(changes).map(|curve| curve.beta).fold(f64::MAX, f64::min);
-            let of = |(from, to)| integral(from, to, beta, &probability);
+            let scale = scale(parts.iter().copied().filter(changes)).unwrap_or(f64::MAX);
+            let of = |(from, to)| integral(from, to, scale, &above, &probability);
             self.segments(ends[0], ends[1]).map(of).sum::<f64>()
         };
         breaks.windows(2).map(between).sum::<f64>() + 0.0

@@ -2,7 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::fit::{Fit, Lognormal, is_level};
+use super::curve::Curve;
+use super::fit::{Fit, is_level};
 use super::hazard::HazardCurve;
 use crate::statistics::Bootstrap;
 use crate::statistics::bca::{FEWEST, acceleration, ends};
@@ -38,7 +39,7 @@ pub struct Interval {
 pub fn bootstrap(
     groups: &[usize],
     settings: &Bootstrap,
-    estimate: Lognormal,
+    estimate: Curve,
     hazard: Option<&HazardCurve>,
     refit: impl Fn(&[u32]) -> Fit + Sync,
 ) -> Interval {
@@ -70,7 +71,7 @@ pub fn bootstrap(
     let theta = interval(|drawn| drawn.theta, estimate.theta)
         .map(|theta| theta.filter(|theta| is_level(*theta)));
     let rate = hazard
-        .map_or([None; 2], |hazard| interval(|drawn| drawn.rate, hazard.rate(&estimate).rate));
+        .map_or([None; 2], |hazard| interval(|drawn| drawn.rate, hazard.rate(estimate).rate));
     Interval { theta, beta: interval(|drawn| drawn.beta, estimate.beta), rate, without_fit }
 }
 
@@ -104,10 +105,9 @@ impl Drawn {
             _ => (None, None),
         };
         // A step at zero or without bound takes all of the hazard, or nothing.
-        let rate = hazard.zip(theta).map(|(hazard, theta)| {
-            let theta = theta.clamp(f64::MIN_POSITIVE, f64::MAX);
-            hazard.rate(&Lognormal { theta, beta: beta.unwrap_or(0.0) }).rate
-        });
+        let step = |theta: f64| Curve::step(theta.clamp(f64::MIN_POSITIVE, f64::MAX));
+        let curve = fit.curve().or(theta.map(step));
+        let rate = hazard.zip(curve).map(|(hazard, curve)| hazard.rate(curve).rate);
         Drawn { fitted: fit.curve().is_some(), theta, beta, rate }
     }
 }
@@ -115,11 +115,11 @@ impl Drawn {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fragility::fit::Gap;
+    use crate::fragility::fit::{Gap, Lognormal};
 
     /// Of two records: the first twice, each once, the second twice.
     fn of_two(first: Fit, second: Fit) -> Interval {
-        let curve = Lognormal { theta: 1.0, beta: 0.4 };
+        let curve = Curve::from(Lognormal { theta: 1.0, beta: 0.4 });
         let refit = |times: &[u32]| match times {
             [2, 0] => first,
             [0, 2] => second,
@@ -152,8 +152,8 @@ mod tests {
             let sum: f64 = values.iter().zip(times).map(|(v, n)| v * f64::from(*n)).sum();
             sum / f64::from(times.iter().sum::<u32>())
         };
-        let fit = |times: &[u32]| Fit::Fitted(Lognormal { theta: mean(times), beta: 1.0 });
-        let estimate = Lognormal { theta: mean(&[1; 60]), beta: 1.0 };
+        let fit = |times: &[u32]| Fit::Fitted(Lognormal { theta: mean(times), beta: 1.0 }.into());
+        let estimate = Curve::from(Lognormal { theta: mean(&[1; 60]), beta: 1.0 });
         let settings = Bootstrap { replicates: 4000, seed: 1 };
         let groups: Vec<usize> = (0..60).collect();
         let found = bootstrap(&groups, &settings, estimate, None, fit);

@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
+use crate::suites::shown::is_beyond;
 use crate::suites::swept_motion::{SweptMotion, Values};
 use topple::stepping::outcome::Class;
 
@@ -37,7 +38,7 @@ impl LimitState {
     pub fn is_exceeded(self, motion: &SweptMotion, index: usize) -> bool {
         let class = motion.outcomes[index];
         let beyond = match self.limit() {
-            Some((values, limit)) => f64::from(values(motion)[index]) > limit,
+            Some((values, limit)) => is_beyond(values(motion)[index], limit),
             None => self == LimitState::Uplift && class != Class::FullContact,
         };
         class.overturned() || beyond

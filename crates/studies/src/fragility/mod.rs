@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! levels (of an intensity measure) -> a suite's sweep -> shaken (runs of a cell, a record each), limit_state
-//!   runs -> an estimator (stripes, IDA, cloud) -> theta and beta, or why there are none
+//!   runs -> an estimator (stripes, IDA, cloud) -> a curve with theta and beta, or why there is none
 //!        -> events or recordings resampled -> intervals
 //!        hazard_text -> hazard curve -> annual rate, with what of it no data tell; order (curves that cross)
 //!        -> sensitivity (numbers that are not known)
@@ -12,6 +12,7 @@
 pub(crate) mod binary;
 pub(crate) mod capacity;
 pub mod cloud;
+mod curve;
 pub mod estimate;
 pub mod export;
 pub mod fit;
@@ -40,6 +41,7 @@ pub mod table_columns;
 pub mod tables;
 
 pub use capacity::{Capacity, share_that_stands_again};
+pub use curve::Curve;
 pub use estimate::{Estimate, Estimator, Note, estimate};
 pub use export::Export;
 pub use fit::{Fit, Gap, Lognormal};

@@ -1,5 +1,6 @@
 //! The annual rate of a limit state, with what of it the data say.
 
+use super::curve::Curve;
 use super::fit::{Gap, Lognormal};
 use super::hazard::HazardCurve;
 use super::runs::Stripe;
@@ -24,6 +25,8 @@ pub struct RateEstimate {
     pub above_levels: Option<f64>,
     /// The rate of the curve held below those of the limit states that this one implies; none without a curve.
     pub ordered: Option<f64>,
+    /// True where a step stands for a curve that the runs do not tell.
+    pub of_step: bool,
 }
 
 impl RateEstimate {
@@ -34,16 +37,24 @@ impl RateEstimate {
         most.is_finite().then_some(most)
     }
 
-    /// True where the rate is not above a target with all that may be missing; false where that is not known. None where
+    /// What is compared with a target: of a curve whose interval has an upper end the best estimate, of other runs the upper bound, both with
+    /// all that may be missing. None where there is no upper bound.
+    pub fn judged(&self) -> Option<f64> {
+        let high = self.high?;
+        let most = self.rate.filter(|_| !self.of_step).unwrap_or(high);
+        Some(most + self.missing_above + self.missing_below).filter(|most| most.is_finite())
+    }
+
+    /// True where what is [`judged`](RateEstimate::judged) is not above a target; false where it is, or there is no upper bound. None where
     /// nothing at all is known.
     pub fn is_below(&self, target: f64) -> Option<bool> {
         let nothing = self.rate.is_none() && self.low.is_none() && self.high.is_none();
-        (!nothing).then(|| self.with_missing().is_some_and(|most| most <= target))
+        (!nothing).then(|| self.judged().is_some_and(|most| most <= target))
     }
 
     /// That of a curve, whose interval is not known yet.
     pub(super) fn of_curve(
-        curve: &Lognormal,
+        curve: &Curve,
         stripes: &[Stripe],
         hazard: &HazardCurve,
     ) -> RateEstimate {
@@ -65,6 +76,7 @@ impl RateEstimate {
             without_failures,
             above_levels,
             ordered: Some(all.rate),
+            of_step: false,
         }
     }
 
@@ -77,15 +89,19 @@ impl RateEstimate {
         stripes: &[Stripe],
         hazard: &HazardCurve,
     ) -> RateEstimate {
-        let rate = |theta: f64, beta: f64| hazard.rate(&Lognormal { theta, beta }).rate;
+        let all = |theta: f64, beta: f64| hazard.rate(Lognormal { theta, beta });
+        let rate = |theta: f64, beta: f64| all(theta, beta).rate;
         if let Some(theta_of_step) = step(gap, stripes) {
-            let step = Lognormal { theta: theta_of_step, beta: 0.0 };
+            let step = Curve::step(theta_of_step);
             // The rate falls as theta grows. Of a curve that bends, it grows with beta or falls, so that it is largest at an end.
             let high = within.and_then(|(theta, beta)| theta[0].zip(beta));
-            let high = high.map(|(low, beta)| rate(low, 0.0).max(rate(low, beta)));
+            let bounds = high.map(|(low, beta)| [all(low, 0.0), all(low, beta)]);
+            let high = bounds.map(|[step, bent]| step.rate.max(bent.rate));
             let low = within.map(|(theta, _)| theta[1].map_or(0.0, |high| rate(high, 0.0)));
             let of_step = RateEstimate::of_curve(&step, stripes, hazard);
-            return RateEstimate { low, high, ..of_step };
+            let below = bounds.map_or(0.0, |[step, bent]| step.missing_below.max(bent.missing_below));
+            let missing_below = of_step.missing_below.max(below);
+            return RateEstimate { low, high, missing_below, of_step: true, ..of_step };
         }
         let all_stand = stripes.iter().take_while(|stripe| stripe.z == 0.0).last();
         let all_fail = stripes.iter().rev().take_while(|stripe| stripe.z == stripe.n).last();
@@ -96,12 +112,13 @@ impl RateEstimate {
             rate: None,
             low: Some(from(all_fail).unwrap_or(0.0)),
             high: from(all_stand.filter(counted)),
-            missing_above: hazard.rate(&Lognormal { theta: f64::MAX, beta: 0.0 }).missing_above,
+            missing_above: all(f64::MAX, 0.0).missing_above,
             // Where some stand up to a level, weaker motions do, too.
             missing_below: if all_stand.is_some() { 0.0 } else { f64::INFINITY },
             without_failures: None,
             above_levels: None,
             ordered: None,
+            of_step: false,
         }
     }
 }

@@ -6,7 +6,7 @@ use super::limit_state::LimitState;
 use super::runs::{Pool, RecordRuns};
 use super::stripes;
 use super::suite_runs::SuiteRuns;
-use super::{Fit, Lognormal};
+use super::Lognormal;
 use crate::statistics::quantile::Sorted;
 use crate::suites::wanted::WantedMotion;
 use crate::uncertain::{Design, Index, Varied, indices};
@@ -66,10 +66,8 @@ impl Unknown {
         let curve = |point: usize| {
             let one = point..point + 1;
             let records: Vec<RecordRuns> = shaken.records(state, cell, one);
-            match stripes::fit(&Pool::of(&records, |run| run.failed).stripes(None)) {
-                Fit::Fitted(curve) => Some(curve),
-                _ => None,
-            }
+            let fit = stripes::fit(&Pool::of(&records, |run| run.failed).stripes(None));
+            fit.curve().map(|curve| curve.lognormal())
         };
         Sensitivity {
             indices: indices(a, b, &ab, 0),

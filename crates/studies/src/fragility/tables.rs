@@ -113,8 +113,7 @@ pub fn write_sensitivity(study: &Study, writer: impl Write) -> csv::Result<()> {
     for (cell, state, of) in states(study) {
         let indices = of.sensitivity.iter().flat_map(|sensitivity| &sensitivity.indices);
         for (varied, one) in unknown.varied.iter().zip(indices) {
-            let first = [one.first, one.first_low, one.first_high].map(Some).map(known);
-            let total = [one.total, one.total_low, one.total_high].map(Some).map(known);
+            let [first, total] = [one.first, one.total].map(|of| of.numbers().map(known));
             table.row(cell, (state, varied.parameter.key(), first, total))?;
         }
     }

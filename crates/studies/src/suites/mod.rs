@@ -32,6 +32,7 @@ mod run;
 mod runner;
 pub mod saved;
 pub mod settings;
+pub(crate) mod shown;
 pub mod spectrum;
 pub mod swept;
 pub mod swept_motion;

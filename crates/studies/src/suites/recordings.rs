@@ -29,6 +29,12 @@ impl Suite {
         }
         numbered((0..before.len()).map(|motion| root(&before, motion)))
     }
+
+    /// How many earthquakes its motions are of, where that of each is known.
+    pub fn events(&self) -> Option<usize> {
+        let events = || self.motions().map(|(entry, _)| entry.event.as_str());
+        events().all(|event| !event.is_empty()).then(|| numbered(events()).1)
+    }
 }
 
 /// True where the earthquake and the station of a motion are known.

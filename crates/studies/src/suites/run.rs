@@ -29,8 +29,10 @@ impl SuiteJob {
         let mut verified = Verified::default();
         swept.motions.iter().for_each(|motion| verified.add(&motion.verified));
         let (motions, resumed) = (swept.motions, swept.resumed);
-        let SuiteJob { scene, grid, .. } = self;
-        Ok(SuiteSweep { scene, grid, motions, resumed, seconds, verified, saved })
+        let SuiteJob { scene, grid, opened, .. } = self;
+        let backend = opened.backends[0].name();
+        let adapter = opened.backends[0].adapter().cloned();
+        Ok(SuiteSweep { scene, grid, motions, resumed, backend, adapter, seconds, verified, saved })
     }
 
     /// True where the folder that it saves to holds motions, and none of its own.

@@ -15,7 +15,7 @@ use super::wanted::WantedMotion;
 use crate::several::OneOfSeveral;
 use topple::backend::backend_error::BackendError;
 use topple::backend::ready::Backend;
-use topple::scene::{Parameter, Scene, SceneError, Values};
+use topple::scene::{Excitation, Parameter, Scene, SceneError, Values};
 use topple::sweep::error::SweepError;
 use topple::sweep::run::sweep_on;
 use topple::sweep::verification;
@@ -197,11 +197,11 @@ impl<'a> Runner<'a> {
     ) -> Result<(), SweepError> {
         let settings = self.job.sweep_settings();
         let (mut axes, mut scene) = (Vec::new(), scene.clone());
-        if factors != [1.0] {
-            // The motion is scaled to its peak already.
+        let scales: Vec<f64> = factors.iter().map(|factor| factor * wanted.pair.factor).collect();
+        if scales != [1.0] {
+            // The factor of a peak is in these, and the samples are not scaled yet.
             scene.numbers.remove(Parameter::Pga);
-            // The factor of a scene is on the file's values.
-            let scales = factors.iter().map(|factor| factor * wanted.pair.factor).collect();
+            scene.excitation = Excitation::Record(wanted.ground.clone());
             let values = Values::list(scales)
                 .map_err(|error| SceneError { key: "levels", problem: error.to_string() })?;
             axes.push((Parameter::Scale, values));

@@ -10,6 +10,7 @@ use super::settings::SuiteSettings;
 use super::swept_motion::SweptMotion;
 use super::verified::Verified;
 use super::wanted::WantedMotion;
+use topple::backend::description::AdapterDescription;
 use topple::backend::request::OpenBackends;
 use topple::scene::grid::Axis;
 use topple::scene::{Grid, Parameter, Scene, SceneBuilder, SceneError};
@@ -27,6 +28,10 @@ pub struct SuiteSweep {
     pub motions: Vec<SweptMotion>,
     /// Motions of which there was an earlier run's word.
     pub resumed: usize,
+    /// gpu, cpu or reference.
+    pub backend: &'static str,
+    /// The adapter, for a GPU.
+    pub adapter: Option<AdapterDescription>,
     /// Seconds of all sweeps together, without the reference.
     pub seconds: f64,
     /// The reference's results for samples.

@@ -11,8 +11,11 @@ pub struct WantedMotion {
     pub id: String,
     /// How much it counts.
     pub weight: f64,
-    /// Both components.
+    /// Both components, scaled as the scene says: as they are shown and measured.
     pub pair: Pair,
+    /// The same as the suite has them. A run multiplies each sample of these once, by the factors of both: of one factor all commands have
+    /// the same bits, whether it is the scene's, a level's or a reserve's.
+    pub ground: Pair,
     /// Factors on both: a level each.
     pub factors: Vec<f64>,
     /// Numbers of the scene that are others under it.
@@ -60,15 +63,17 @@ impl WantedMotion {
         for (entry, motion) in suite.motions() {
             // A factor of the scene is on the motion as the suite has it, scaled by its list or not.
             let own = Pair { factor: 1.0, ..motion.pair.clone() };
-            let pair = excitation::scaled(own, numbers);
+            let pair = excitation::scaled(own.clone(), numbers);
             let (weight, factors) = (entry.weight, vec![1.0]);
             let settings = Vec::new();
-            let motion = WantedMotion { id: entry.id.clone(), weight, pair, factors, settings };
+            let (id, ground) = (entry.id.clone(), own);
+            let motion = WantedMotion { id, weight, pair, ground, factors, settings };
             if both_directions {
                 let id = format!("{} reversed", motion.id);
                 motions.push(WantedMotion {
                     id,
                     pair: motion.pair.clone().reversed(),
+                    ground: motion.ground.clone().reversed(),
                     ..motion.clone()
                 });
             }

@@ -12,6 +12,9 @@ use crate::statistics::quantile::middle_95_percent;
 
 /// How often the design's rows are resampled for an interval of 95 %.
 const RESAMPLES: usize = 1000;
+/// Rows from which on an interval of resampled rows says how far an index is known. Of n rows it is too narrow by
+/// t_(n-1)/1.96 sqrt(n/(n - 1)), t the 97.5 % point of Student's distribution: by a third or more for seven rows and fewer.
+pub const FEWEST_ROWS: usize = 8;
 
 /// Points of N(k + 2) evaluations for k parameters.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,21 +27,54 @@ pub struct Design {
     pub ab: Vec<Vec<Vec<f64>>>,
 }
 
-/// What a parameter explains of the variance. All are not numbers where the outputs are all the same.
+/// What a parameter explains of the variance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Index {
     /// The share that it explains alone.
-    pub first: f64,
-    /// Low end of the interval of `first`.
-    pub first_low: f64,
-    /// High end.
-    pub first_high: f64,
+    pub first: Explained,
     /// The share that it explains alone and together with others.
-    pub total: f64,
-    /// Low end of the interval of `total`.
-    pub total_low: f64,
-    /// High end.
-    pub total_high: f64,
+    pub total: Explained,
+}
+
+/// A share of the variance, with its interval, or why there is none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Explained {
+    /// A number.
+    Share {
+        /// The share.
+        value: f64,
+        /// Low end of its interval of 95 %.
+        low: f64,
+        /// High end.
+        high: f64,
+    },
+    /// So few samples do not tell it: there are fewer than [`FEWEST_ROWS`], the interval is as wide as all that an index may be, 0 to 1, or
+    /// more than 2.5 % of the resampled sets have a single output, so that an end of the interval is theirs.
+    TooFew,
+    /// The outputs are all the same.
+    Constant,
+}
+
+impl Explained {
+    fn of(value: f64, rows: usize, resampled: Vec<f64>) -> Explained {
+        if !value.is_finite() {
+            return Explained::Constant;
+        }
+        let tell = rows >= FEWEST_ROWS && 40 * (RESAMPLES - resampled.len()) <= RESAMPLES;
+        let (low, high) = middle_95_percent(resampled);
+        match tell && high - low < 1.0 {
+            true => Explained::Share { value, low, high },
+            false => Explained::TooFew,
+        }
+    }
+
+    /// The share with the ends of its interval, where it is known.
+    pub fn numbers(self) -> [Option<f64>; 3] {
+        match self {
+            Explained::Share { value, low, high } => [value, low, high].map(Some),
+            Explained::TooFew | Explained::Constant => [None; 3],
+        }
+    }
 }
 
 impl Design {
@@ -88,9 +124,7 @@ pub fn indices(y_a: &[f64], y_b: &[f64], y_ab: &[Vec<f64>], seed: u32) -> Vec<In
         }
     }
     let one = |([first, total], [firsts, totals]): ([f64; 2], [Vec<f64>; 2])| {
-        let (first_low, first_high) = middle_95_percent(firsts);
-        let (total_low, total_high) = middle_95_percent(totals);
-        Index { first, first_low, first_high, total, total_low, total_high }
+        Index { first: Explained::of(first, n, firsts), total: Explained::of(total, n, totals) }
     };
     whole.into_iter().zip(resampled).map(one).collect()
 }
@@ -117,7 +151,7 @@ fn estimates(y_a: &[f64], y_b: &[f64], y_ab: &[Vec<f64>], rows: &[usize]) -> Vec
 mod tests {
     use std::f64::consts::PI;
 
-    use super::{Design, Index, indices};
+    use super::{Design, Explained, FEWEST_ROWS, Index, indices};
     use crate::uncertain::Varied;
 
     /// Parameters that may have any value, in place of x_1, x_2, ...
@@ -139,16 +173,22 @@ mod tests {
     /// as wide as N rows allow: a summand's standard deviation over the variance is below 2 in these models.
     fn compare(found: &[Index], first: &[f64], total: &[f64], n: usize) {
         let widest = 2.0 * 1.96 * 2.0 / (n as f64).sqrt();
-        let close = |value: f64, (low, high): (f64, f64), wanted: f64, said: &str| {
+        let close = |found: Explained, wanted: f64| {
+            let (value, low, high) = share(found);
+            let said = format!("{found:?} for {wanted}");
             assert!(low <= value && value <= high && high - low < widest, "{said}");
             let error = (high - low) / (2.0 * 1.96);
-            assert!((value - wanted).abs() <= 3.0 * error, "{said} for {wanted}");
+            assert!((value - wanted).abs() <= 3.0 * error, "{said}");
         };
         for (i, index) in found.iter().enumerate() {
-            let said = format!("x_{}: {index:?}", i + 1);
-            close(index.first, (index.first_low, index.first_high), first[i], &said);
-            close(index.total, (index.total_low, index.total_high), total[i], &said);
+            close(index.first, first[i]);
+            close(index.total, total[i]);
         }
+    }
+
+    fn share(found: Explained) -> (f64, f64, f64) {
+        let [Some(value), Some(low), Some(high)] = found.numbers() else { panic!("{found:?}") };
+        (value, low, high)
     }
 
     /// Ishigami & Homma (1990): sin x_1 + a sin² x_2 + b x_3⁴ sin x_1.
@@ -166,8 +206,8 @@ mod tests {
         let v = v_1 + v_2 + v_13;
         compare(&found, &[v_1 / v, v_2 / v, 0.0], &[(v_1 + v_13) / v, v_2 / v, v_13 / v], n);
         // x_3 explains nothing by itself, but a quarter together with x_1.
-        let third = found[2];
-        assert!(third.first_low < 0.0 && third.first_high > 0.0 && third.total_low > 0.2);
+        let ((_, low, high), (_, at_least, _)) = (share(found[2].first), share(found[2].total));
+        assert!(low < 0.0 && high > 0.0 && at_least > 0.2);
     }
 
     /// Sobol's g-function: the product of (|4 x_i - 2| + a_i)/(1 + a_i).
@@ -190,12 +230,9 @@ mod tests {
         let n = 1024;
         let found = of(&["normal(0,1)", "normal(5,2)", "uniform(0,1)"], n, |x| x[0] + x[1]);
         compare(&found, &[0.2, 0.8, 0.0], &[0.2, 0.8, 0.0], n);
-        let none = found[2];
-        assert!(
-            none.first_low <= 0.0 && none.first_high >= 0.0 && none.total_low <= 0.0,
-            "{none:?}"
-        );
-        assert_eq!((none.total, none.total_high), (0.0, 0.0));
+        let (_, low, high) = share(found[2].first);
+        assert!(low <= 0.0 && high >= 0.0, "{found:?}");
+        assert_eq!(share(found[2].total), (0.0, 0.0, 0.0));
     }
 
     /// The generator drops the last bit of what it begins with.
@@ -205,7 +242,7 @@ mod tests {
         let y_ab = vec![y.iter().rev().copied().collect::<Vec<f64>>()];
         let ends = |seed| {
             let index = indices(&y, &y_ab[0], &y_ab, seed)[0];
-            [index.first_low, index.first_high, index.total_low, index.total_high]
+            [share(index.first), share(index.total)].map(|(_, low, high)| [low, high])
         };
         for seed in [0, 2, u32::MAX - 1] {
             assert_ne!(ends(seed), ends(seed + 1), "seeds {seed} and {}", seed + 1);
@@ -215,6 +252,25 @@ mod tests {
     #[test]
     fn an_output_that_never_changes_has_no_indices() {
         let found = of(&["uniform(0,1)"], 16, |_| 3.0);
-        assert!(found[0].first.is_nan() && found[0].total_low.is_nan(), "{found:?}");
+        assert_eq!((found[0].first, found[0].total), (Explained::Constant, Explained::Constant));
+    }
+
+    /// An index of which the samples say nothing is no number, however narrow the interval is that so few rows give.
+    #[test]
+    fn too_few_samples_tell_no_index() {
+        let both = ["uniform(0,1)"; 2];
+        for n in 2..FEWEST_ROWS {
+            for index in of(&both, n, |x| x[0] + 0.3 * x[1]) {
+                assert_eq!((index.first, index.total), (Explained::TooFew, Explained::TooFew));
+            }
+        }
+        let known = of(&both, 64, |x| x[0] + 0.3 * x[1]);
+        assert!(share(known[0].first).0 > 0.7 && share(known[0].total).0 > 0.7, "{known:?}");
+        // A rare event is all that the variance is of: where few rows have it, a narrow interval says nothing.
+        let rare = of(&both, 16, |x| if x[0] * x[1] > 0.8 { 1.0 } else { 0.0 });
+        assert!(rare.iter().all(|one| one.first == Explained::TooFew && one.total == one.first));
+        // An interval as wide as all that an index may be.
+        let wide = of(&both, 10, |x| (x[0] - 0.5) * (x[1] - 0.5));
+        assert!(wide.iter().any(|one| one.first == Explained::TooFew), "{wide:?}");
     }
 }

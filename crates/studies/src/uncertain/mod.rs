@@ -14,7 +14,7 @@ pub mod probability;
 pub(crate) mod varied;
 
 pub use ensemble::Ensemble;
-pub use indices::{Design, Index, indices};
+pub use indices::{Design, Explained, Index, indices};
 pub use probability::{Probabilities, Uncertainty};
 pub use varied::Varied;
 

@@ -6,10 +6,11 @@ use std::str::FromStr;
 use serde::de::{Deserialize, Deserializer, Error};
 use serde::{Serialize, Serializer};
 
+use crate::statistics::distribution::Form;
 use crate::statistics::{Distribution, DistributionError};
 use topple::scene::parameters::Legal;
 use topple::scene::shown::shown;
-use topple::scene::{Parameter, SceneError};
+use topple::scene::{Parameter, Scene, SceneError};
 
 /// Half the distance between two numbers that the sequence of [`points`](super::points) can give: no point lies on an edge
 /// of the box, and no smaller share is ever drawn at either end of a distribution.
@@ -39,6 +40,31 @@ pub enum VariedError {
 }
 
 impl Varied {
+    /// Its name and its distribution in words: `H, uniform from 0.6 to 1.3 m`.
+    pub fn words(&self) -> String {
+        let entry = self.parameter.entry();
+        let unit = if entry.unit.is_empty() { String::new() } else { format!(" {}", entry.unit) };
+        let Distribution { form, cut } = self.distribution;
+        let how = match form {
+            Form::Normal { mean, deviation } => {
+                format!("normal, mean {mean}{unit}, standard deviation {deviation}{unit}")
+            }
+            Form::Uniform { low, high } => format!("uniform from {low} to {high}{unit}"),
+            Form::Lognormal { median, beta } => {
+                format!("lognormal, median {median}{unit}, standard deviation of its logarithm {beta}")
+            }
+        };
+        let cut = cut.map(|(low, high)| format!(", cut off at {low} and {high}{unit}"));
+        format!("{}, {how}{}", entry.symbol, cut.unwrap_or_default())
+    }
+
+    /// A scene without the numbers that vary: what of it is fixed. It is to be read, not run.
+    pub fn fixed(scene: &Scene, varied: &[Varied]) -> Scene {
+        let mut fixed = scene.clone();
+        varied.iter().for_each(|one| fixed.numbers.remove(one.parameter));
+        fixed
+    }
+
     /// Checks that the values that are drawn are such as the parameter may have; `force` accepts improbable ones.
     ///
     /// # Errors

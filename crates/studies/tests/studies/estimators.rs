@@ -11,7 +11,7 @@ use topple_studies::Bootstrap;
 use topple_studies::fragility::ida::Capacities;
 use topple_studies::fragility::runs::{Pool, Stripe};
 use topple_studies::fragility::{
-    Capacity, Estimate, Estimator, Fit, Gap, Lognormal, Note, RecordRuns, Run, estimate, profile,
+    Capacity, Curve, Estimate, Estimator, Fit, Gap, Lognormal, Note, RecordRuns, Run, estimate, profile,
     share_that_stands_again, stripes,
 };
 
@@ -119,7 +119,7 @@ fn an_ida_is_too_low_where_records_stand_again() {
     assert!((stripes.theta / truth).ln().abs() < 0.03, "{stripes:?}, truth {truth}");
     assert!(ida.theta < 0.95 * truth, "{ida:?}, truth {truth}");
     // The stripes' curve is near the counts, that of the IDA is not.
-    let worst = |curve: Lognormal| {
+    let worst = |curve: Curve| {
         let off = counts.iter().map(|s| (s.z / s.n - curve.probability(s.level)).abs());
         off.fold(0.0, f64::max)
     };
@@ -359,7 +359,7 @@ fn fits(records: &[RecordRuns]) -> [Fit; 3] {
 fn compare(
     records: &[RecordRuns],
     changed: &[RecordRuns],
-    wanted: impl Fn(Lognormal) -> [f64; 2],
+    wanted: impl Fn(Curve) -> [f64; 2],
 ) -> Result<(), TestCaseError> {
     for (before, after) in fits(records).into_iter().zip(fits(changed)) {
         match (before.curve(), after.curve()) {

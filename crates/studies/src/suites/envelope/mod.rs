@@ -10,10 +10,14 @@ pub use request::{EnvelopeJob, EnvelopeRequest};
 pub use table::{COLUMNS, ZETA_COLUMNS, write, write_zeta};
 
 use super::resample::Groups;
+use super::shown::is_beyond;
 use super::swept::SuiteSweep;
 use super::swept_motion::{SweptMotion, Values};
 use crate::statistics::{Bootstrap, DrawnGroups, quantile};
+use crate::uncertain::Varied;
 use topple::results::columns::Column;
+use topple::scene::Scene;
+use topple::scene::record::rounded;
 use topple::stepping::outcome::Class;
 
 /// The limits that a base must keep.
@@ -25,6 +29,36 @@ pub struct Limits {
     pub u: Option<f64>,
     /// Largest stroke of v, m.
     pub v: Option<f64>,
+}
+
+/// A limit that is not kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NotKept {
+    /// The block stands under fewer motions.
+    Standing,
+    /// max |u| is larger.
+    U,
+    /// The stroke of v is.
+    V,
+}
+
+impl Limits {
+    /// The limits that a share of standing and the largest strokes, not numbers where there are none, do not keep. All are compared as
+    /// tables show them.
+    pub fn not_kept(&self, standing: f64, u: f64, v: f64) -> impl Iterator<Item = NotKept> {
+        // What is shown of a stroke is a number of f32.
+        let beyond = |limit: Option<f64>, stroke: f64| {
+            limit.is_some_and(|limit| stroke.is_nan() || is_beyond(stroke as f32, limit))
+        };
+        let stands = standing >= self.standing && standing > 0.0;
+        [
+            (!stands).then_some(NotKept::Standing),
+            beyond(self.u, u).then_some(NotKept::U),
+            beyond(self.v, v).then_some(NotKept::V),
+        ]
+        .into_iter()
+        .flatten()
+    }
 }
 
 /// Shares of the motions whose strokes are told.
@@ -39,6 +73,8 @@ pub struct EnvelopeSettings {
     pub best: Best,
     /// Motions of each record: more than one where numbers are not known. They follow each other.
     pub times: usize,
+    /// Numbers that are not known.
+    pub varied: Vec<Varied>,
     /// What intervals of the share that overturns are made of; none are told without it.
     pub intervals: Option<(Groups, Bootstrap)>,
     /// Columns of a map whose percentiles are told, too: those that the sweep was asked for besides.
@@ -48,8 +84,9 @@ pub struct EnvelopeSettings {
 impl EnvelopeSettings {
     /// Limits alone: every motion once, no intervals.
     pub fn of(limits: Limits) -> EnvelopeSettings {
-        let columns = Vec::new();
-        EnvelopeSettings { limits, best: Best::default(), times: 1, intervals: None, columns }
+        let (varied, columns) = (Vec::new(), Vec::new());
+        let best = Best::default();
+        EnvelopeSettings { limits, best, times: 1, varied, intervals: None, columns }
     }
 }
 
@@ -114,6 +151,11 @@ impl Envelope {
             .map(move |k| percentiles(&self.sweep.motions, cell, |motion| motion.others[k][cell]))
     }
 
+    /// The scene under the first motion without the numbers that are not known.
+    pub fn known(&self) -> Scene {
+        Varied::fixed(&self.sweep.scene, &self.settings.varied)
+    }
+
     /// How many records there are; each has as many motions as there are points of what is not known.
     pub fn records(&self) -> usize {
         self.sweep.motions.len() / self.settings.times.max(1)
@@ -175,15 +217,14 @@ impl CellEnvelope {
         let share = |holds: fn(Class) -> bool| {
             let those = motions.iter().filter(|motion| holds(motion.outcomes[index]));
             // A sum of nothing is a negative zero.
-            those.fold(0.0, |sum, motion| sum + motion.weight) / all
+            let sum = those.fold(0.0, |sum, motion| sum + motion.weight);
+            // A sum of weights may be off by its last digits, which are not shown.
+            rounded(sum / all, 12)
         };
         let of = |values: Values| percentiles(motions, index, |motion| values(motion)[index]);
         let standing = share(Class::stands);
         let max_u = of(|motion| &motion.max_u);
         let stroke_v = of(|motion| &motion.stroke_v);
-        let within = |limit: Option<f64>, value: f64| limit.is_none_or(|limit| value <= limit);
-        // A sum of weights may be off by its last digits.
-        let enough = standing >= limits.standing - 1.0e-9 && standing > 0.0;
         CellEnvelope {
             standing,
             overturned: share(Class::overturned),
@@ -192,7 +233,7 @@ impl CellEnvelope {
             max_u,
             stroke_v,
             zeta: of(|motion| &motion.zeta),
-            feasible: enough && within(limits.u, max_u[2]) && within(limits.v, stroke_v[2]),
+            feasible: limits.not_kept(standing, max_u[2], stroke_v[2]).next().is_none(),
             reserve: None,
         }
     }

@@ -114,8 +114,8 @@ impl EnvelopeRequest {
         let bootstrap = Bootstrap { replicates, seed: self.seed.into() };
         let intervals = Some((groups, bootstrap));
         let columns = self.columns.clone();
-        let settings =
-            EnvelopeSettings { limits: self.limits, best: self.best, times, intervals, columns };
+        let (limits, best, varied) = (self.limits, self.best, self.vary.clone());
+        let settings = EnvelopeSettings { limits, best, times, varied, intervals, columns };
         Ok(EnvelopeJob { sweep, settings })
     }
 }
