@@ -143,7 +143,8 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), Suit
             .map_err(|reason| SuiteError::Read { path: path.into(), reason })?;
         let text = text::decoded(&bytes).map_err(|error| refused(path, error.to_string()))?;
         let read = if peer::matches(&text) { peer::read } else { list::read };
-        return Ok((read(&text, "", files).map_err(|problem| refused(path, problem))?, Vec::new()));
+        let read = read(&text, "", files).map_err(|problem| refused(path, problem.to_string()));
+        return Ok((read?, Vec::new()));
     }
     for name in files.names().iter().filter(|name| ending(name, "csv") || ending(name, "tsv")) {
         let bytes = files.read(name).map_err(|problem| refused(&files.path(name), problem))?;
@@ -154,7 +155,7 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), Suit
             (_, true) => list::read(&text, name, files),
             _ => continue,
         };
-        listed.extend(read.map_err(|problem| refused(&files.path(name), problem))?);
+        listed.extend(read.map_err(|problem| refused(&files.path(name), problem.to_string()))?);
         lists.insert(name);
         if listed.len() > MOST_FILES {
             let problem = format!("with it there are more than {MOST_FILES} motions in all lists");
