@@ -24,8 +24,8 @@ pub use fragility::sensitivity::{Sensitivity, Unknown};
 pub use fragility::study::{CellStudy, StateStudy, Study as FragilityStudy, StudySettings};
 pub use fragility::{
     AnnualRate, Capacity, Estimate as FragilityEstimate, Estimator, FragilityJob, FragilityRequest,
-    Gap, HazardCurve, Lognormal, Note, RecordRuns, Run, Stripe,
-    estimate as estimate_fragility, in_50_years, share_that_stands_again,
+    Gap, HazardCurve, Lognormal, Note, RecordRuns, Run, Stripe, estimate as estimate_fragility,
+    in_50_years, share_that_stands_again,
 };
 pub use sharpness::Sharpness;
 pub use sheet::TableError;

@@ -10,9 +10,7 @@ use topple::scene::block::OBJECTS;
 use topple::scene::parameters::Section;
 use topple::scene::record::text::printable;
 use topple::scene::shown::shown;
-use topple::scene::{
-    Directions, Overturn, Parameter, Pressure, SceneBuilder, SceneError, keys,
-};
+use topple::scene::{Directions, Overturn, Parameter, Pressure, SceneBuilder, SceneError, keys};
 
 /// The column of the names.
 const NAME: &str = "device";
@@ -122,7 +120,8 @@ fn choices(key: &str) -> Vec<String> {
 /// The line and the column at fault, with what to do.
 pub fn read(text: &str, shared: &SceneBuilder) -> Result<Vec<Device>, TableError> {
     let Some(sheet) = Sheet::of(Rows::of(text, 1, false)?)? else {
-        let problem = format!("the list is empty; give a heading with `{NAME}` and keys of a scene");
+        let problem =
+            format!("the list is empty; give a heading with `{NAME}` and keys of a scene");
         return Err(TableError::at(1, problem));
     };
     let columns = columns(&sheet)?;
@@ -353,7 +352,10 @@ mod tests {
                 "device,object\na,one\n",
                 "line 2, column object: 'one' is not known; give one of 1, 2, 3",
             ),
-            ("device,object\na,4\n", "line 2, column object: '4' is not known; give one of 1, 2, 3"),
+            (
+                "device,object\na,4\n",
+                "line 2, column object: '4' is not known; give one of 1, 2, 3",
+            ),
             (
                 "device,overturn\na,x\n",
                 "line 2, column overturn: 'x' is not known; give one of critical-angle, quarter-turn",

@@ -49,7 +49,8 @@ impl HazardCurve {
             let (line, point) = (*line, point.map(f64::ln));
             match points.last() {
                 Some(before) if point[0] <= before[0] => {
-                    let problem = "the level is not above that of the line before; sort the lines by level";
+                    let problem =
+                        "the level is not above that of the line before; sort the lines by level";
                     return Err(TableError::at(line, problem));
                 }
                 Some(before) if point[1] > before[1] => {
@@ -61,7 +62,9 @@ impl HazardCurve {
         }
         if points.len() < 2 {
             let count = points.len();
-            return Err(TableError::whole(format!("the curve has {count} points; give two at least")));
+            return Err(TableError::whole(format!(
+                "the curve has {count} points; give two at least"
+            )));
         }
         Ok(HazardCurve { points })
     }

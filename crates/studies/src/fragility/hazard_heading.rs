@@ -106,7 +106,17 @@ const RATES: [&str; 14] = [
 ];
 /// What may stand behind them.
 const PER_YEAR: [&str; 12] = [
-    "1/yr", "1/year", "1/a", "/yr", "/year", "/a", "yr-1", "year-1", "a-1", "per year", "per yr",
+    "1/yr",
+    "1/year",
+    "1/a",
+    "/yr",
+    "/year",
+    "/a",
+    "yr-1",
+    "year-1",
+    "a-1",
+    "per year",
+    "per yr",
     "per annum",
 ];
 /// Names of return periods.
@@ -122,11 +132,10 @@ const PERIODS: [&str; 8] = [
 ];
 /// What may stand behind them.
 const YEARS: [&str; 5] = ["years", "year", "yrs", "yr", "a"];
-/// What is part of a word for a probability, or for another time than a year.
-const NO_RATES: [&str; 12] = [
-    "prob", "poe", "wahrsch", "percent", "prozent", "%", "day", "week", "month", "decade",
-    "century", "exceedance",
-];
+/// What is part of a word for a probability.
+const PROBABILITIES: [&str; 6] = ["prob", "poe", "wahrsch", "percent", "prozent", "%"];
+/// What may be of another time than a year.
+const TIMES: [&str; 6] = ["day", "week", "month", "decade", "century", "exceedance"];
 
 /// What a heading says.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -187,11 +196,18 @@ pub(super) fn levels(
     let Some((named, count)) = (1..=4).rev().find_map(phrase) else {
         return match asked {
             Some(units) if !contradicts_levels(heading, &words, units) => Ok(None),
-            _ => Err(format!("names no measure that is read; call levels of {measure} `{}`", wanted())),
+            _ => Err(format!(
+                "names no measure that is read; call levels of {measure} `{}`",
+                wanted()
+            )),
         };
     };
     let mut rest = &words[count..];
-    let other = || Err(format!("these are no levels of {measure}; give the curve of {measure}, or another --im"));
+    let other = || {
+        Err(format!(
+            "these are no levels of {measure}; give the curve of {measure}, or another --im"
+        ))
+    };
     let own = match (named, measure) {
         (Named::Any, _) => true,
         (Named::Acceleration, of) => of.unit() == ACCELERATION,
@@ -260,6 +276,19 @@ fn named_of(measure: Intensity) -> Option<Named> {
     }
 }
 
+/// True of words of a probability.
+pub(super) fn is_of_probabilities(text: &str) -> bool {
+    let text = text.to_lowercase();
+    PROBABILITIES.iter().any(|part| text.contains(part))
+}
+
+/// True of two names that are a heading, and not words of a comment: one of them is of a list, or the second is of a probability.
+pub(super) fn is_meant([level, rate]: [&str; 2]) -> bool {
+    let words = words(level);
+    let is_first = |(name, _): &(&str, Named)| words.first().is_some_and(|word| word == name);
+    is_of_rates(rate) || is_of_probabilities(rate) || NAMES.iter().any(is_first)
+}
+
 /// True of a name of annual rates or of return periods.
 pub(super) fn is_of_rates(heading: &str) -> bool {
     rates(heading).is_some()
@@ -293,7 +322,8 @@ fn contradicts_rates(heading: &str) -> bool {
     let said = heading.to_lowercase();
     let is_probability = |word: &String| ["p", "pe", "pp", "ape", "aep"].contains(&word.as_str());
     said.contains(char::is_numeric)
-        || NO_RATES.iter().any(|part| said.contains(part))
+        || is_of_probabilities(heading)
+        || TIMES.iter().any(|part| said.contains(part))
         || words(heading).iter().any(is_probability)
 }
 
@@ -303,7 +333,8 @@ fn contradicts_levels(heading: &str, said: &[&str], units: Units) -> bool {
         let other = |(known, named): &(&str, Named)| known == word && *named != Named::Any;
         OTHERS.contains(word) || NAMES.iter().any(other)
     };
-    let brackets = heading.split(['(', '[']).skip(1).filter_map(|part| part.split([')', ']']).next());
+    let brackets =
+        heading.split(['(', '[']).skip(1).filter_map(|part| part.split([')', ']']).next());
     let is_other = |unit: &str| {
         let spelled = spelled(&words(unit).concat());
         !ACCELERATIONS.iter().any(|(all, name, _)| *name == units.key() && all.contains(&&*spelled))
@@ -527,11 +558,23 @@ mod tests {
             let given = of(["anything", heading], "pga", Some(Units::G));
             assert_eq!(given.is_ok(), heading != "exceedances", "{heading}");
         }
-        for heading in
-            [["annual rate", "pga"], ["lambda", "PGA (g)"], ["return period", "PGA [g]"]]
+        for heading in [["annual rate", "pga"], ["lambda", "PGA (g)"], ["return period", "PGA [g]"]]
         {
             let said = of(heading, "pga", None).unwrap_err();
             assert!(said.contains("the levels come first"), "{said}");
+        }
+    }
+
+    /// The page names every word that is read.
+    #[test]
+    fn the_page_has_the_lists() {
+        let page = include_str!("../../../../docs/fragility.md");
+        let units = [&ACCELERATIONS[..], &CUMULATIVE, &RATIOS].concat();
+        let units = units.iter().map(|(spellings, ..)| spellings[0]).filter(|one| *one != "gs");
+        let names = NAMES.iter().map(|(name, _)| *name);
+        let lists = [&RATES[..], &PER_YEAR, &PERIODS, &YEARS, &COMPONENTS, &["gal", "g s", "5%"]];
+        for word in units.chain(names).chain(lists.concat()) {
+            assert!(page.contains(&format!("`{word}`")), "{word}");
         }
     }
 }

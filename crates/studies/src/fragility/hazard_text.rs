@@ -95,8 +95,14 @@ fn table<'a>(
     }
     let names = ["level", "rate"].map(Cow::Borrowed).to_vec();
     let (heading, sheet) = if numbers > 0 {
-        let above = comments(text).take_while(|(line, _)| *line < first.line).last();
-        (above.and_then(|(line, comment)| heading_of(line, comment)), Sheet::named(first.line, names, rows)?)
+        let above = || comments(text).take_while(|(line, _)| *line < first.line);
+        let heading = above().last().and_then(|(line, comment)| heading_of(line, comment));
+        let other = above().find(|(_, comment)| hazard_heading::is_of_probabilities(comment));
+        if let (None, Some((line, _))) = (&heading, other) {
+            let problem = "the comment says that these are no annual rates; give such rates, below a heading such as `PGA [g],rate`";
+            return Err(TableError::at(line, problem));
+        }
+        (heading, Sheet::named(first.line, names, rows)?)
     } else if by_blanks {
         rows.next();
         (Some((first.line, parted(&named))), Sheet::named(first.line, names, rows)?)
@@ -105,9 +111,9 @@ fn table<'a>(
         rows.next();
         (Some((first.line, heading)), Sheet::named(first.line, first.cells.clone(), rows)?)
     };
-    let said = heading.as_ref().map(|(line, [level, rate])| {
-        hazard_heading::judged(*line, [level, rate], measure, asked)
-    });
+    let said = heading
+        .as_ref()
+        .map(|(line, [level, rate])| hazard_heading::judged(*line, [level, rate], measure, asked));
     let said = said.transpose()?.unwrap_or(Heading { unit: None, rates: Rates::Annual });
     let asked = asked.map(|units| (units.key(), units.factor()));
     let (unit, scale) = asked.or(said.unit).unwrap_or((measure.unit(), 1.0));
@@ -169,14 +175,19 @@ fn columns(text: &str, named: &[&Cow<str>], numbers: usize) -> String {
     )
 }
 
-/// The heading in a comment, as numpy writes it: two names.
+/// The heading in a comment, as numpy writes it: two names, of which one at least is known.
 fn heading_of(line: usize, comment: &str) -> Option<(usize, [String; 2])> {
-    let row = Rows::of(comment, line, true).ok()?.next()?.ok()?;
+    let rows = Rows::of(comment, line, true).ok()?;
+    let by_blanks = rows.separator() == BLANKS;
+    let row = rows.into_iter().next()?.ok()?;
     let named: Vec<&Cow<str>> = row.cells.iter().filter(|cell| !cell.is_empty()).collect();
-    match named[..] {
-        [level, rate] => Some((line, [level.to_string(), rate.to_string()])),
-        _ => None,
-    }
+    let heading = match named[..] {
+        _ if by_blanks => parted(&named),
+        [level, rate] => [level.to_string(), rate.to_string()],
+        _ => return None,
+    };
+    let [level, rate] = &heading;
+    hazard_heading::is_meant([level, rate]).then_some((line, heading))
 }
 
 /// A heading whose words blanks part: the second name begins at the first word of a rate or of a period.
@@ -277,12 +288,32 @@ mod tests {
         let of_numpy = "# PGA [g], PoE50\n1.0e-01 1.0e-02\n2.0e-01 1.0e-03\n";
         let said = error(of_numpy);
         assert!(said.starts_with("line 1, column PoE50: says no annual rate"), "{said}");
+        let rows = "0.1 0.01\n0.2 0.001\n";
+        for (comment, wanted) in [
+            ("# PGA PoE50", Err("line 1, column PoE50: says no annual rate")),
+            ("# SA(0.2) rate", Err("line 1, column SA(0.2): these are no levels of pga")),
+            ("# PoE in 50 years", Err("line 1: the comment says that these are no annual rates")),
+            ("# 10 % in 50 years\n# Rome", Err("line 1: the comment says")),
+            ("# PGA [g] annual rate", Ok("g")),
+            ("# Rome, 2020", Ok("m/s²")),
+            ("# my site", Ok("m/s²")),
+        ] {
+            let text = format!("{comment}\n{rows}");
+            match (read(&text, Intensity::Pga, None), wanted) {
+                (Ok(read), Ok(unit)) => assert_eq!(read.unit, unit, "{comment}"),
+                (Err(said), Err(wanted)) => {
+                    assert!(said.to_string().starts_with(wanted), "{comment}: {said}");
+                }
+                (found, _) => panic!("{comment}: {found:?}"),
+            }
+        }
     }
 
     #[test]
     fn what_is_no_table_of_one_curve_is_named() {
         let of_openquake = |heading: &str| {
-            let made = "generated_by='OpenQuake engine 3.20.1', kind='mean', investigation_time=50.0";
+            let made =
+                "generated_by='OpenQuake engine 3.20.1', kind='mean', investigation_time=50.0";
             format!("#,,,\"{made}\"\n{heading}\n11.1,45.2,0.1,0.2\n")
         };
         let no_curve = "line 2: an export of OpenQuake that is no hazard curve";
@@ -376,7 +407,7 @@ mod tests {
         assert!(of(SITE, Intensity::AverageSa(0.5), None).contains("has no curves of avg-sa:0.5"));
         let row = SITE.lines().last().unwrap();
         let two = of(&format!("{SITE}{row}\n{row}\n"), Intensity::Sa(0.5), None);
-        assert!(two.starts_with("it has 3 sites"), "{two}");
+        assert!(two.starts_with("line 4: it has 3 sites"), "{two}");
         let bare: String = SITE.lines().skip(1).map(|line| format!("{line}\n")).collect();
         assert!(of(&bare, Intensity::Sa(0.5), None).contains("investigation_time"));
     }

@@ -118,7 +118,12 @@ impl<'a> Sheet<'a> {
     /// The cell of a row in a column.
     pub fn cell<'b>(&'b self, row: &'b Row, at: usize) -> Cell<'b> {
         let text = |cells: &'b [Cow<str>]| cells.get(at).map_or("", |cell| &**cell);
-        Cell { line: row.line, column: text(&self.names), text: text(&row.cells), decimals: self.decimals }
+        Cell {
+            line: row.line,
+            column: text(&self.names),
+            text: text(&row.cells),
+            decimals: self.decimals,
+        }
     }
 }
 
@@ -169,11 +174,15 @@ mod tests {
 
     #[test]
     fn a_cell_has_its_place() {
-        let sheet = Sheet::of(Rows::of("a;b\n\n0,5;200.000\n", 1, false).unwrap()).unwrap().unwrap();
+        let sheet =
+            Sheet::of(Rows::of("a;b\n\n0,5;200.000\n", 1, false).unwrap()).unwrap().unwrap();
         let row = sheet.rows().next().unwrap().unwrap();
         assert_eq!(sheet.cell(&row, 0).number(), Ok(Some(0.5)));
         let error = sheet.cell(&row, 1).number().unwrap_err().to_string();
-        assert_eq!(error, "line 3, column b: '200.000' may be 200000 or 200; write the one that is meant");
+        assert_eq!(
+            error,
+            "line 3, column b: '200.000' may be 200000 or 200; write the one that is meant"
+        );
         assert_eq!(sheet.cell(&row, 7).number(), Ok(None));
     }
 }

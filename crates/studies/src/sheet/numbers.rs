@@ -103,7 +103,9 @@ mod tests {
             (tabs_points, None, Some(1.25)),
             (both, None, None),
         ] {
-            for (text, wanted) in [("1,250", comma), ("1.250", point), ("-1,250", comma.map(|n| -n))] {
+            for (text, wanted) in
+                [("1,250", comma), ("1.250", point), ("-1,250", comma.map(|n| -n))]
+            {
                 let found = of(table, text);
                 assert_eq!(found.clone().ok(), wanted, "{table:?} {text}");
                 if let Err(said) = found {
@@ -125,7 +127,8 @@ mod tests {
             ] {
                 assert_eq!(of(table, text), Ok(wanted), "{table:?}");
             }
-            for text in ["1,200.5", "1,2,3", "1.250.000", "200 000", "x", "", ",", "1,2e", "0,5 m"] {
+            for text in ["1,200.5", "1,2,3", "1.250.000", "200 000", "x", "", ",", "1,2e", "0,5 m"]
+            {
                 let said = of(table, text).unwrap_err();
                 assert!(said.contains("is no number such as"), "{text}: {said}");
             }

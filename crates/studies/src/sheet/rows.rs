@@ -168,7 +168,9 @@ impl<'a> Iterator for Rows<'a> {
 /// The lines of a text that begin with `#`, without it, each with its number.
 pub fn comments(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let lines = (1..).zip(text.split('\n'));
-    lines.filter_map(|(line, text)| Some((line, text.trim().trim_start_matches('\u{feff}').strip_prefix('#')?)))
+    lines.filter_map(|(line, text)| {
+        Some((line, text.trim().trim_start_matches('\u{feff}').strip_prefix('#')?))
+    })
 }
 
 fn first_line(text: &str) -> &str {
@@ -226,12 +228,18 @@ mod tests {
     fn rows_have_their_lines_and_cells() {
         for (text, wanted) in [
             ("a,b\n1,2\n", vec![(1, vec!["a", "b"]), (2, vec!["1", "2"])]),
-            ("\u{feff}sep=;\r\n\r\na;b,c\r\n;\r\n1;2", vec![(3, vec!["a", "b,c"]), (5, vec!["1", "2"])]),
+            (
+                "\u{feff}sep=;\r\n\r\na;b,c\r\n;\r\n1;2",
+                vec![(3, vec!["a", "b,c"]), (5, vec!["1", "2"])],
+            ),
             ("a\tb\rc d\t\r", vec![(1, vec!["a", "b"]), (2, vec!["c d", ""])]),
             ("# x,y\n a , b\n  #c\n", vec![(2, vec!["a", "b"])]),
             (" 1 , \"A, \"\"B\"\"\" , x\"y\n", vec![(1, vec!["1", "A, \"B\"", "x\"y"])]),
             ("\"a\n\n#b\",c\nd,e", vec![(1, vec!["a\n\n#b", "c"]), (4, vec!["d", "e"])]),
-            ("\"a,b\"\n\"1,\"\"x, y\"\"\"\n2,3\n", vec![(1, vec!["a", "b"]), (2, vec!["1", "x, y"]), (3, vec!["2", "3"])]),
+            (
+                "\"a,b\"\n\"1,\"\"x, y\"\"\"\n2,3\n",
+                vec![(1, vec!["a", "b"]), (2, vec!["1", "x, y"]), (3, vec!["2", "3"])],
+            ),
             ("\"a\",\"b\"\n", vec![(1, vec!["a", "b"])]),
             ("0,005;0,25\n", vec![(1, vec!["0,005", "0,25"])]),
             (" 1  2\t\n", vec![(1, vec!["1  2", ""])]),
