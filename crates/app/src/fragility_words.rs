@@ -30,7 +30,8 @@ pub fn hazard(path: &Path, hazard: &HazardText, im: Intensity, say: &Reporter) {
     } else {
         format!(", read in {}", hazard.unit)
     };
-    say.line("hazard", format!("{}, {low} to {high}{}{read}", path.display(), unit(im)));
+    let (path, unit) = (path.display(), unit(im));
+    say.line("hazard", format!("{path}, {low} to {high}{unit}{read}; {}", hazard.source));
 }
 
 /// The unit of a measure behind a number.

@@ -43,9 +43,7 @@ impl HazardFlags {
             |problem: String| InputError(format!("--hazard: {}: {problem}", path.display()));
         let bytes = bounded::read(path, hazard::LARGEST)
             .map_err(|e| named(format!("{e}; give a file that can be read")))?;
-        let text = bounded::unicode(&bytes)
-            .unwrap_or_else(|| String::from_utf8_lossy(&bytes).into_owned());
-        let read = hazard_text::read(&text, im, self.hazard_units);
+        let read = hazard_text::of_bytes(&bytes, im, self.hazard_units);
         let read = read.map_err(|error| named(error.to_string()))?;
         if read.assumed {
             words::warn(format!(

@@ -10,23 +10,25 @@ pub mod comparison;
 pub mod fragility;
 mod several;
 pub mod sharpness;
+mod sheet;
 pub mod statistics;
 pub mod suites;
 pub mod uncertain;
 
 pub use comparison::{
-    Compared, Comparison, ComparisonError, ComparisonJob, ComparisonRequest, Device, DevicesError,
-    RateRequest, Reserve,
+    Compared, Comparison, ComparisonError, ComparisonJob, ComparisonRequest, Device, RateRequest,
+    Reserve,
 };
 pub use fragility::limit_state::LimitState;
 pub use fragility::sensitivity::{Sensitivity, Unknown};
 pub use fragility::study::{CellStudy, StateStudy, Study as FragilityStudy, StudySettings};
 pub use fragility::{
     AnnualRate, Capacity, Estimate as FragilityEstimate, Estimator, FragilityJob, FragilityRequest,
-    Gap, HazardCurve, HazardError, Lognormal, Note, RecordRuns, Run, Stripe,
-    estimate as estimate_fragility, in_50_years, share_that_stands_again,
+    Gap, HazardCurve, Lognormal, Note, RecordRuns, Run, Stripe, estimate as estimate_fragility,
+    in_50_years, share_that_stands_again,
 };
 pub use sharpness::Sharpness;
+pub use sheet::TableError;
 pub use statistics::{Bootstrap, Distribution, DistributionError};
 pub use suites::envelope::{
     Best, CellEnvelope, Envelope, EnvelopeJob, EnvelopeRequest, EnvelopeSettings, Limits,

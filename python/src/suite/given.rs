@@ -108,8 +108,8 @@ impl<'py> Call<'_, 'py> {
             io::Error::new(error.kind(), format!("hazard: {}: {error}", path.display()))
         };
         let units = self.named("hazard_units", Units::of_key, "; give g or m/s2");
-        let text = bounded::text(&path, hazard::LARGEST).map_err(named)?;
-        let read = hazard_text::read(&text, im, units?);
+        let bytes = bounded::read(&path, hazard::LARGEST).map_err(named)?;
+        let read = hazard_text::of_bytes(&bytes, im, units?);
         let read = read.map_err(|error| of_keyword("hazard", error))?;
         if read.assumed {
             let problem = "hazard: nothing tells the unit of its levels, m/s2 is taken; give hazard_units, g or m/s2";

@@ -266,6 +266,12 @@ fn what_is_wrong_with_a_list_is_told_in_a_line() {
     for (text, more, wanted) in [
         ("device,t_h\na,fast\n", "", "line 2, column t_h: 'fast' is no number"),
         ("device,periode\na,1\n", "", "line 1, column periode: no key has this name"),
+        (
+            "device,isolation\na,Horizontal\n",
+            "",
+            "column isolation: 'Horizontal' is not known; give one of dual, horizontal, vertical, none",
+        ),
+        ("device,k1\na,\"200,000\"\n", "", "line 2, column k1: '200,000' may be 200000 or 200"),
         ("device,t_h\na,1\na,2\n", "", "line 3, column device: the name a stands in line 2, too"),
         ("t_h,t_v\n1,1\n", "", "line 1: no column `device`"),
         (

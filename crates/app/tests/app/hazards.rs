@@ -44,11 +44,12 @@ fn the_units_of_a_hazard_curve_are_said() {
     let silent = write("silent.csv", "level,rate\n", 1.0);
     let (in_g, run) = fragility("g", &silent, &["--hazard-units", "g"]);
     let (told, warned) = heard(&run.success());
-    assert!(told.contains("m/s², read in g") && warned.is_empty(), "{told} {warned}");
+    let read = "m/s², read in g; annual rates `rate` of `level`\n";
+    assert!(told.contains(read) && warned.is_empty(), "{told} {warned}");
     let (_, run) = fragility("header", &write("header.csv", "PGA [g],afe\n", 1.0), &[]);
     assert!(heard(&run.success()).1.is_empty());
     let (si, run) =
-        fragility("si", &write("si.csv", "anything;x\n", 9.81), &["--hazard-units", "m/s2"]);
+        fragility("si", &write("si.csv", "anything,x\n", 9.81), &["--hazard-units", "m/s2"]);
     run.success();
     for name in ["header", "si"] {
         assert_relative_eq!(rate(&within(&place, name).0), rate(&in_g), max_relative = 1e-9);
@@ -75,12 +76,39 @@ fn the_units_of_a_hazard_curve_are_said() {
     let (names, values) = (names.join(","), values.join(","));
     fs::write(file, format!("{comment}\nlon,lat,depth,{names}\n12.5,41.9,0.0,{values}\n")).unwrap();
     let (of_site, run) = fragility("site", &path, &[]);
-    assert!(heard(&run.success()).1.is_empty());
+    let (told, warned) = heard(&run.success());
+    let read = "m/s², read in g; OpenQuake, mean, PGA, probabilities in 50 years, site lon 12.5, lat 41.9\n";
+    assert!(told.contains(read) && warned.is_empty(), "{told} {warned}");
     assert_relative_eq!(rate(&of_site), rate(&in_g), max_relative = 1e-6);
     let (_, run) = fragility("pgv", &path, &["--im", "pgv"]);
     assert!(refusal(&run.code(2)).contains("the curve is of PGA, not of pgv"));
     let (_, run) = fragility("pgv", &silent, &["--im", "pgv", "--hazard-units", "g"]);
     assert!(refusal(&run.code(2)).contains("pgv is no acceleration"));
+}
+
+/// A curve whose words say another thing than annual rates of the measure is refused in a line, and nothing is written.
+#[test]
+fn a_curve_of_another_thing_is_refused() {
+    let (place, list) = suite();
+    let (file, path) = within(&place, "site.csv");
+    let (out, to) = within(&place, "out");
+    for (heading, im, more, wanted) in [
+        ("PGA [g],PoE50", "pga", "", "line 1, column PoE50: says no annual rate of exceedance"),
+        ("PGA [g],PoE50", "pga", "--hazard-units g", "line 1, column PoE50: says no annual rate"),
+        ("PSA [g],rate", "pga", "", "line 1, column PSA [g]: these are no levels of pga"),
+        ("Sa(0.2 s) (g),AFE", "sa:1.8", "", "these are no levels of sa:1.8"),
+        ("PGA [g_n],rate", "pga", "", "levels in `g n` are not read; give g, m/s2, cm/s2"),
+        ("PGV [mm/s],rate", "pgv", "", "levels in `mm/s` are not read; give m/s, cm/s"),
+        ("PGA [g],rate,source", "pga", "", "line 1: it has 3 columns"),
+    ] {
+        fs::write(&file, format!("{heading}\n0.1,0.01\n0.2,0.001\n")).unwrap();
+        let common = ["fragility", "--suite", &list, "--out", &to, "--hazard", &path, "--im", im];
+        let more: Vec<&str> = more.split_whitespace().collect();
+        let base = ["--t-h", "1.5", "--t-v", "0.5", "--levels", "1,2"];
+        let line = refusal(&topple(&[&common[..], &BASE, &base, &more].concat()).code(2));
+        assert!(line.contains(wanted) && line.contains("--hazard: "), "{heading}: {line}");
+        assert!(!out.exists(), "{heading}");
+    }
 }
 
 /// Where nothing fails there is no rate but a bound, and where the highest level alone fails no rate of zero.

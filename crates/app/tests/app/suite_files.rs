@@ -104,7 +104,10 @@ fn a_zip_of_windows_has_a_list_with_semicolons() {
     let broken = PEERS.replace("1,4457", "1,4x");
     fs::write(folder.path().join("_SearchResults.csv"), broken).unwrap();
     let error = Suite::read(&folder.path().join("_SearchResults.csv"), false).unwrap_err();
-    assert!(error.to_string().contains("a scale factor of '1,4x'"), "{error}");
+    assert!(
+        error.to_string().contains("line 5, column Scale Factor: '1,4x' is no number"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -327,7 +330,8 @@ fn a_fault_of_a_download_is_told_with_its_line() {
                 1,7,\"E\n F\",1990,S,1,A090.AT2,,A-UP.AT2\n2,8,E,1990,S,two,A090.AT2,,A-UP.AT2\n";
     fs::write(folder.path().join("_SearchResults.csv"), list).unwrap();
     let error = Suite::read(folder.path(), false).unwrap_err().to_string();
-    assert!(error.contains("_SearchResults.csv: line 6: a scale factor of 'two'; give"), "{error}");
+    let wanted = "_SearchResults.csv: line 6, column Scale Factor: 'two' is no number";
+    assert!(error.contains(wanted), "{error}");
 }
 
 /// Unlike files in one folder: each is told with what it is, and strictly none may be left.

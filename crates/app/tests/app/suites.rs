@@ -363,18 +363,27 @@ fn lists_of_ones_own_are_read() {
     assert!(suite.left_out().all(|(entry, why)| entry.id != "c" || !why.contains("same motion")));
     for (text, said) in [
         ("a,b\n1,2\n", "line 1: no column 'horizontal'"),
-        ("horizontal,dt\nx,0\n", "line 2: dt 0 must be a positive number"),
+        ("horizontal,dt\nx,0\n", "line 2, column dt: 0 must be a positive number"),
         ("horizontal,colour\nx,red\n", "line 1: no column is called 'colour'"),
-        ("horizontal,scale\nx,two\n", "line 2: scale two must be a positive number"),
-        ("horizontal,weight\nx,1e308\n", "line 2: weight 1e308 is above 1e6"),
+        ("horizontal,scale\nx,two\n", "line 2, column scale: 'two' is no number"),
+        ("horizontal,weight\nx,1e308\n", "line 2, column weight: 1e308 is above 1e6"),
         ("id,horizontal\n\na,x\n\na,y\n", "line 5: the id a stands twice"),
-        ("horizontal,units\nx,ft\n", "line 2: units ft are not known; give g, m/s2, cm/s2 or gal"),
+        (
+            "horizontal,units\nx,ft\n",
+            "line 2, column units: ft is not known; give g, m/s2, cm/s2 or gal",
+        ),
         ("id,horizontal\na,x\na,y\n", "line 3: the id a stands twice"),
         ("id,horizontal\n\"a\nb\",x\n\nc,y\nc,y\n", "line 6: the id c stands twice"),
         ("id,horizontal\n\"a\n\nb\",x\nc\n", "line 5: 1 fields where the heading has 2"),
-        ("sep=;\r\nid;horizontal;scale\r\na;x;two\r\n", "line 3: scale two must be a positive"),
+        ("sep=;\r\nid;horizontal;scale\r\na;x;two\r\n", "line 3, column scale: 'two' is no number"),
         ("sep=;\n\nid;colour\na;x\n", "line 3: no column 'horizontal'"),
         ("horizontal\n", "no line below its heading"),
+        ("horizontal,weight\nx,\"1,250\"\n", "line 2, column weight: '1,250' may be 1250 or 1.25"),
+        ("horizontal;scale\nx;1.250\n", "line 2, column scale: '1.250' may be 1250 or 1.25"),
+        ("horizontal\tscale\nx\t1,250\n", "line 2, column scale: '1,250' may be 1250 or 1.25"),
+        ("id,horizontal,ID\na,x,b\n", "line 1, column ID: it stands twice"),
+        ("id,horizontal\n#1,x\n", "line 2: `#` begins a comment"),
+        ("id,horizontal\n\"a,x\nb,y\n", "line 2: a cell begins with a quote"),
     ] {
         let error = read(text).unwrap_err().to_string();
         assert!(error.contains(said) && error.contains("mine.csv: "), "{text:?}: {error}");

@@ -226,13 +226,17 @@ pub fn curves() -> Vec<Vec<u8>> {
     let curve = "level,rate\n0.1,0.5\n0.2,0.05\n1,1e-3\n4,1e-5\n";
     let site = "#,,\"generated_by='OpenQuake engine 3.15.0', investigation_time=50.0, imt='PGA'\"\n\
         lon,lat,depth,poe-0.05,poe-0.1,poe-0.4\n0.0,0.0,-0.1,1.0,6.1E-01,3.3E-02\n";
-    [curve.to_string(), site.to_string(), format!("\u{feff}{}", curve.replace('\n', "\r\n"))]
+    let spread = curve.replace(',', ";").replace('.', ",");
+    let marked = format!("\u{feff}{}", curve.replace('\n', "\r\n"));
+    let blanks =
+        format!("# PGA [g], AFE\n{}", curve.replace(',', "  ").replace("level  rate\n", ""));
+    [curve.to_string(), site.to_string(), marked, format!("sep=;\n{spread}"), blanks]
         .map(String::into_bytes)
         .to_vec()
 }
 
 pub fn curve(bytes: &[u8]) -> Result<(), String> {
-    let curve = hazard_text::read(&String::from_utf8_lossy(bytes), Intensity::Pga, None);
+    let curve = hazard_text::of_bytes(bytes, Intensity::Pga, None);
     let curve = curve.map_err(|error| error.to_string())?.curve;
     for (theta, beta) in [(0.5, 0.4), (1.0, 1e-9), (1e-300, 5.0), (1e300, 0.0), (2.0, 300.0)] {
         let rate = curve.rate(&Lognormal { theta, beta }).rate;

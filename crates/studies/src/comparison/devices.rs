@@ -4,12 +4,13 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
-use super::devices_error::DevicesError;
-use crate::suites::delimited;
+use crate::sheet::{Cell, Row, Rows, Sheet, TableError};
+use topple::Written;
+use topple::scene::block::OBJECTS;
 use topple::scene::parameters::Section;
 use topple::scene::record::text::printable;
 use topple::scene::shown::shown;
-use topple::scene::{Directions, Parameter, SceneBuilder, SceneError, keys};
+use topple::scene::{Directions, Overturn, Parameter, Pressure, SceneBuilder, SceneError, keys};
 
 /// The column of the names.
 const NAME: &str = "device";
@@ -26,7 +27,7 @@ pub struct Device {
     /// What all share, with what the device has of its own.
     pub scene: SceneBuilder,
     /// Its line in the list.
-    pub line: u64,
+    pub line: usize,
     /// The keys that it has a value of.
     own: Vec<&'static str>,
     /// What all share, and its base has no use of: the numbers of a direction in which it does not move.
@@ -35,7 +36,7 @@ pub struct Device {
 
 impl Device {
     /// What is wrong with its scene, with its place in the list.
-    pub fn refused(&self, error: &SceneError) -> DevicesError {
+    pub fn refused(&self, error: &SceneError) -> TableError {
         let own = self.own.contains(&error.key);
         // Of what the list has its columns are told, of the rest its keys.
         let named = |(place, piece): (usize, &str)| match place % 2 {
@@ -48,7 +49,10 @@ impl Device {
             true => problem,
             false => format!("{}: `{}`: {problem}", shown(&self.name), error.key),
         };
-        DevicesError { line: self.line, column: own.then(|| error.key.into()), problem }
+        match own {
+            true => TableError::of_cell(self.line, error.key, problem),
+            false => TableError::at(self.line, problem),
+        }
     }
 }
 
@@ -97,137 +101,124 @@ impl Column {
     }
 }
 
+/// The words that a column may have, where it has no numbers.
+fn choices(key: &str) -> Vec<String> {
+    fn all<T: Written>() -> Vec<String> {
+        T::ALL.iter().map(|one| one.key().to_string()).collect()
+    }
+    match key {
+        "isolation" => all::<Directions>(),
+        "pressure" => all::<Pressure>(),
+        "overturn" => all::<Overturn>(),
+        _ => (1..=OBJECTS.len()).map(|number| number.to_string()).collect(),
+    }
+}
+
 /// The devices of a list, each with what `shared` says of all. Fields that are empty are left out.
 ///
 /// # Errors
 /// The line and the column at fault, with what to do.
-pub fn read(text: &str, shared: &SceneBuilder) -> Result<Vec<Device>, DevicesError> {
-    let refused = |line: u64, column: Option<&str>, problem: String| DevicesError {
-        line,
-        column: column.map(String::from),
-        problem,
+pub fn read(text: &str, shared: &SceneBuilder) -> Result<Vec<Device>, TableError> {
+    let Some(sheet) = Sheet::of(Rows::of(text, 1, false)?)? else {
+        let problem =
+            format!("the list is empty; give a heading with `{NAME}` and keys of a scene");
+        return Err(TableError::at(1, problem));
     };
-    let plain = delimited::plain(text.trim_start_matches('\u{feff}'));
-    let heading = plain.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-    let mut reader = csv::ReaderBuilder::new()
-        .has_headers(false)
-        .trim(csv::Trim::All)
-        .flexible(true)
-        .delimiter(delimited::separator(heading) as u8)
-        .from_reader(plain.as_bytes());
-    let mut columns: Option<Vec<Column>> = None;
+    let columns = columns(&sheet)?;
+    let sheet = sheet.without_numbered_comments(text)?;
     let (mut devices, mut lines) = (Vec::<Device>::new(), BTreeMap::new());
-    for row in reader.records() {
-        let row = row.map_err(|error| {
-            let at = error.position().map_or(1, csv::Position::line);
-            refused(at, None, format!("{error}; give text with commas between"))
-        })?;
-        let line = row.position().map_or(1, |at| delimited::line(&plain, at) as u64);
-        if row.iter().all(str::is_empty) {
-            continue;
-        }
-        let Some(columns) = &columns else {
-            columns = Some(headings(&row, line)?);
-            continue;
-        };
-        if row.len() != columns.len() {
-            let [own, wanted] = [row.len(), columns.len()];
-            let problem =
-                format!("{own} fields where the heading has {wanted}; give each column a field");
-            return Err(refused(line, None, problem));
-        }
+    for row in sheet.rows() {
+        let row = row?;
         if devices.len() == MOST {
             let problem = format!("more than {MOST} devices; give several lists");
-            return Err(refused(line, None, problem));
+            return Err(TableError::at(row.line, problem));
         }
-        let device = device(&row, line, columns, shared)?;
-        if let Some(first) = lines.insert(device.name.clone(), line) {
-            let problem = format!(
-                "the name {} stands in line {first}, too; give each device its own",
-                shown(&device.name)
-            );
-            return Err(refused(line, Some(NAME), problem));
+        let device = device(&sheet, &row, &columns, shared)?;
+        if let Some(first) = lines.insert(device.name.clone(), row.line) {
+            let name = shown(&device.name);
+            let problem =
+                format!("the name {name} stands in line {first}, too; give each device its own");
+            return Err(TableError::of_cell(row.line, NAME, problem));
         }
         devices.push(device);
     }
-    if devices.is_empty() {
-        let problem = match columns {
-            None => format!("the list is empty; give a heading with `{NAME}` and keys of a scene"),
-            Some(_) => "no device below the heading; give each a line".to_string(),
-        };
-        return Err(refused(1, None, problem));
+    match devices.is_empty() {
+        true => Err(TableError::at(1, "no device below the heading; give each a line")),
+        false => Ok(devices),
     }
-    Ok(devices)
 }
 
-/// The columns of the heading.
-fn headings(row: &csv::StringRecord, line: u64) -> Result<Vec<Column>, DevicesError> {
-    let refused =
-        |column: &str, problem: String| DevicesError { line, column: Some(column.into()), problem };
-    let mut columns: Vec<Column> = Vec::with_capacity(row.len());
-    for heading in row {
-        let heading = heading.to_lowercase();
-        let column = Column::named(&heading).map_err(|problem| refused(&heading, problem))?;
-        if columns.iter().any(|other| other.key() == column.key()) {
-            return Err(refused(&heading, "it stands twice; leave one out".into()));
-        }
-        columns.push(column);
+/// The columns of the heading with their places.
+fn columns(sheet: &Sheet) -> Result<Vec<(usize, Column)>, TableError> {
+    let mut columns = Vec::with_capacity(sheet.names.len());
+    for (at, heading) in sheet.names.iter().enumerate().filter(|(_, name)| !name.is_empty()) {
+        let column = Column::named(&heading.to_lowercase())
+            .map_err(|problem| TableError::of_cell(sheet.line, heading, problem))?;
+        columns.push((at, column));
     }
-    if !columns.iter().any(|column| matches!(column, Column::Name)) {
+    if !columns.iter().any(|(_, column)| matches!(column, Column::Name)) {
         let problem = format!("no column `{NAME}`; give each device a name in it");
-        return Err(DevicesError { line, column: None, problem });
+        return Err(TableError::at(sheet.line, problem));
     }
     Ok(columns)
 }
 
+/// The section of a field, and its value as a file of a scene has it.
+fn value(cell: Cell, column: &Column) -> Result<Option<(Section, Value)>, TableError> {
+    let text = cell.text;
+    match column {
+        Column::Name => Ok(None),
+        Column::Number(_) if text.contains(':') => {
+            let text = shown(text);
+            let problem = "has several values; a device has one: give each a line";
+            Err(cell.refused(format!("'{text}' {problem}")))
+        }
+        Column::Number(parameter) => {
+            let number = cell.number()?;
+            if number.is_some_and(|number| !number.is_finite()) {
+                let text = shown(text);
+                return Err(cell.refused(format!("'{text}' is no number such as 0.0004; give one")));
+            }
+            Ok(number.map(|number| (parameter.entry().section, json!(number))))
+        }
+        Column::Word(section, key) => {
+            let known = choices(key);
+            if !known.iter().any(|one| one == text) {
+                let (text, known) = (shown(text), known.join(", "));
+                return Err(cell.refused(format!("'{text}' is not known; give one of {known}")));
+            }
+            let value = text.parse::<u64>().map_or_else(|_| json!(text), |whole| json!(whole));
+            Ok(Some((*section, value)))
+        }
+    }
+}
+
 /// The device of a line.
 fn device(
-    row: &csv::StringRecord,
-    line: u64,
-    columns: &[Column],
+    sheet: &Sheet,
+    row: &Row,
+    columns: &[(usize, Column)],
     shared: &SceneBuilder,
-) -> Result<Device, DevicesError> {
-    let refused =
-        |column: &str, problem: String| DevicesError { line, column: Some(column.into()), problem };
+) -> Result<Device, TableError> {
     // What a scene's file has is read in one way, whatever keys there are.
-    let whole = |error: serde_json::Error| DevicesError {
-        line,
-        column: None,
-        problem: format!("{error}; give values that can be written"),
+    let whole = |error: serde_json::Error| {
+        TableError::at(row.line, format!("{error}; give values that can be written"))
     };
     let mut scene = serde_json::to_value(shared).map_err(whole)?;
     let (mut name, mut own) = (String::new(), Vec::new());
-    for (column, field) in columns.iter().zip(row) {
-        let key = column.key();
-        if field.is_empty() {
+    for (at, column) in columns {
+        let (cell, key) = (sheet.cell(row, *at), column.key());
+        if cell.text.is_empty() {
             continue;
         }
-        let (section, value) = match column {
-            Column::Name => {
-                name = printable(field);
-                continue;
-            }
-            Column::Number(parameter) => {
-                let number = delimited::number(field).filter(|number| number.is_finite());
-                let number = number.ok_or_else(|| {
-                    let problem = match field.contains(':') {
-                        true => "has several values; a device has one: give each a line",
-                        false => "is no number such as 0.0004 or 4e-4; give it without its unit",
-                    };
-                    refused(key, format!("'{}' {problem}", shown(field)))
-                })?;
-                (parameter.entry().section, json!(number))
-            }
-            Column::Word(section, _) => {
-                let value =
-                    field.parse::<u64>().map_or_else(|_| json!(field), |whole| json!(whole));
-                (*section, value)
-            }
+        let Some((section, value)) = value(cell, column)? else {
+            name = printable(cell.text);
+            continue;
         };
         // Alone it tells what is wrong with it, and nothing else.
         let alone = json!({ section.key(): { key: value } });
         if let Err(error) = serde_json::from_value::<SceneBuilder>(alone) {
-            return Err(refused(key, format!("{error}; give one that is known")));
+            return Err(cell.refused(format!("{error}; give one that is known")));
         }
         own.push(key);
         let tables = scene
@@ -238,7 +229,7 @@ fn device(
         }
     }
     if name.is_empty() {
-        return Err(refused(NAME, "empty; give each device a name".into()));
+        return Err(TableError::of_cell(row.line, NAME, "empty; give each device a name"));
     }
     let mut scene: SceneBuilder = serde_json::from_value(scene).map_err(whole)?;
     scene.title = Some(name.clone());
@@ -254,7 +245,7 @@ fn device(
         |parameter: &Parameter| scene.numbers.has(*parameter) && !own.contains(&parameter.key());
     let left_out: Vec<Parameter> = isolation.locked().filter(is_of_all).collect();
     left_out.iter().for_each(|parameter| scene.numbers.remove(*parameter));
-    Ok(Device { name, scene, line, own, left_out })
+    Ok(Device { name, scene, line: row.line, own, left_out })
 }
 
 #[cfg(test)]
@@ -306,6 +297,22 @@ mod tests {
             .map(|one| one.scene.numbers.get(Parameter::TH).unwrap().first())
             .collect();
         assert_eq!((t_h, devices[1].line), (vec![1.5, 2.0], 5));
+        for (text, wanted) in [
+            ("device,t_h,,\na,1.5,,\nb,2,,\n,,,\n", [1.5, 2.0]),
+            ("device,t_h,,\na,1.5\nb,2,,,,\n", [1.5, 2.0]),
+            (
+                "#TYPE System.Object\n\"device\",\"t_h\"\n# stiff\n\"a\",\"1.5\"\n#c,3\n\"b\",\"2\"\n",
+                [1.5, 2.0],
+            ),
+            ("device,,t_h\n\"#1\",,1.5\nb,,2.000\n", [1.5, 2.0]),
+            ("device;t_h\na;1,5\nb;1,250\n", [1.5, 1.25]),
+            ("device;t_h\na;1.5\nb;1.250\n", [1.5, 1.25]),
+            ("device\tt_h\na\t1,5\nb\t1,250\n", [1.5, 1.25]),
+        ] {
+            let devices = read(text, &shared()).unwrap();
+            let t_h = |at: usize| devices[at].scene.numbers.get(Parameter::TH).unwrap().first();
+            assert_eq!((devices.len(), [t_h(0), t_h(1)]), (2, wanted), "{text:?}");
+        }
     }
 
     #[test]
@@ -326,8 +333,44 @@ mod tests {
             ("device,t_h\na,1:2:3\n", "line 2, column t_h: '1:2:3' has several values"),
             ("device,t_h\na,nan\n", "line 2, column t_h: 'nan' is no number"),
             ("device,t_h\na\n", "line 2: 1 fields where the heading has 2"),
-            ("device,isolation\na,sideways\n", "line 2, column isolation: "),
-            ("device,object\na,one\n", "line 2, column object: "),
+            ("device,t_h,,\na,1,,2\n", "line 2: '2' stands in a column without a name"),
+            ("device,t_h\n#1,2\nb,2\n", "line 2: `#` begins a comment, and this one has the cells"),
+            ("device,t_h\n\"a,2\nb,2\n", "line 2: a cell begins with a quote"),
+            (
+                "device,isolation\na,Horizontal\n",
+                "line 2, column isolation: 'Horizontal' is not known; give one of dual, horizontal, vertical, none",
+            ),
+            (
+                "device,isolation,t_h\n-,-,s\n",
+                "line 2, column isolation: '-' is not known; give one",
+            ),
+            (
+                "device,pressure\na,on\n",
+                "line 2, column pressure: 'on' is not known; give one of follows, constant",
+            ),
+            (
+                "device,object\na,one\n",
+                "line 2, column object: 'one' is not known; give one of 1, 2, 3",
+            ),
+            (
+                "device,object\na,4\n",
+                "line 2, column object: '4' is not known; give one of 1, 2, 3",
+            ),
+            (
+                "device,overturn\na,x\n",
+                "line 2, column overturn: 'x' is not known; give one of critical-angle, quarter-turn",
+            ),
+            (
+                "device,k1\na,\"200,000\"\n",
+                "line 2, column k1: '200,000' may be 200000 or 200; write",
+            ),
+            ("device\tk1\na\t1,250\n", "line 2, column k1: '1,250' may be 1250 or 1.25"),
+            ("device\tk1\na\t1.250\n", "line 2, column k1: '1.250' may be 1250 or 1.25"),
+            ("device;k1\na;200.000\n", "line 2, column k1: '200.000' may be 200000 or 200"),
+            ("device;k1;t_h\na;200.000;1,5\n", "line 2, column k1: '200.000' may be"),
+            ("device;k1;t_h\na;200,000;1.5\n", "line 2, column k1: '200,000' may be"),
+            ("device,k1\na,1.250.000\n", "line 2, column k1: '1.250.000' is no number"),
+            ("device,k1\na,200 000\n", "line 2, column k1: '200 000' is no number"),
         ] {
             let line = refused(text);
             assert!(line.starts_with(wanted) && !line.contains('\n'), "{text:?}: {line}");

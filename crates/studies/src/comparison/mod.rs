@@ -6,7 +6,7 @@
 
 mod compared;
 pub mod devices;
-mod devices_error;
+mod error;
 pub mod request;
 mod settings;
 mod shaken;
@@ -14,7 +14,7 @@ mod table;
 
 pub use compared::{Compared, Comparison, Rated, Reserve, STATES};
 pub use devices::Device;
-pub use devices_error::{ComparisonError, DevicesError};
+pub use error::ComparisonError;
 pub use request::{ComparisonJob, ComparisonRequest, RateRequest};
 pub use settings::ComparisonSettings;
 pub use table::{COLUMNS, RATES, RESERVE, write};

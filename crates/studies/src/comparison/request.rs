@@ -2,7 +2,7 @@
 
 use super::compared::Comparison;
 use super::devices::Device;
-use super::devices_error::ComparisonError;
+use super::error::ComparisonError;
 use super::settings::ComparisonSettings;
 use super::shaken::Shaken;
 use crate::fragility::HazardCurve;

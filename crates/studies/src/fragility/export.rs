@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use super::fit::Lognormal;
-use super::hazard_text::unit_of_openquake;
+use super::hazard_openquake::unit_of_openquake;
 use super::limit_state::LimitState;
 use super::order::implies;
 use super::study::Study;

@@ -1,8 +1,8 @@
 //! A hazard curve, and the annual rate of failure over it.
 
 use super::curve::{Curve, Part, Shape};
-use super::hazard_error::HazardError;
 use super::hazard_segment::segment;
+use crate::sheet::TableError;
 use crate::statistics::normal;
 use topple::scene::record::rounded;
 
@@ -43,18 +43,28 @@ pub fn in_50_years(rate: f64) -> f64 {
 
 impl HazardCurve {
     /// Of points, a level and its rate each, with the lines that they are in: ascending levels, rates that do not rise.
-    pub(super) fn of(table: &[(usize, [f64; 2])]) -> Result<HazardCurve, HazardError> {
+    pub(super) fn of(table: &[(usize, [f64; 2])]) -> Result<HazardCurve, TableError> {
         let mut points: Vec<[f64; 2]> = Vec::with_capacity(table.len());
         for (line, point) in table {
             let (line, point) = (*line, point.map(f64::ln));
             match points.last() {
-                Some(before) if point[0] <= before[0] => return Err(HazardError::Order { line }),
-                Some(before) if point[1] > before[1] => return Err(HazardError::Rises { line }),
+                Some(before) if point[0] <= before[0] => {
+                    let problem =
+                        "the level is not above that of the line before; sort the lines by level";
+                    return Err(TableError::at(line, problem));
+                }
+                Some(before) if point[1] > before[1] => {
+                    let problem = "the rate is above that of a lower level; give the rates at which levels are exceeded";
+                    return Err(TableError::at(line, problem));
+                }
                 _ => points.push(point),
             }
         }
         if points.len() < 2 {
-            return Err(HazardError::TooFew { count: points.len() });
+            let count = points.len();
+            return Err(TableError::whole(format!(
+                "the curve has {count} points; give two at least"
+            )));
         }
         Ok(HazardCurve { points })
     }

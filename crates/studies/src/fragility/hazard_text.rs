@@ -1,13 +1,15 @@
 //! Hazard curves as texts: a table of levels and rates, and the curve of a site as OpenQuake exports it.
 
+use std::borrow::Cow;
+
 use super::hazard::HazardCurve;
-use super::hazard_error::HazardError;
-use super::hazard_heading::{self, Rates};
-use crate::suites::delimited;
+use super::hazard_heading::{self, ACCELERATION, Heading, Rates};
+use super::hazard_openquake::{self, POE};
+use crate::sheet::{BLANKS, Row, Rows, Sheet, TableError, comments, is_number};
 use crate::suites::intensity::Intensity;
 use topple::Written;
-use topple::scene::GRAVITY;
 use topple::scene::record::Units;
+use topple::scene::record::text::decoded;
 use topple::scene::shown::shown;
 
 /// A hazard curve with what its text says of its levels.
@@ -19,181 +21,188 @@ pub struct HazardText {
     pub unit: &'static str,
     /// True where neither the text nor the caller says the unit of accelerations: m/s^2 was taken.
     pub assumed: bool,
+    /// What the curve was read from, in words.
+    pub source: String,
+}
+
+/// Reads the curve of a file, as [`read`] does.
+///
+/// # Errors
+/// What is wrong with the file, and what to do.
+pub fn of_bytes(
+    bytes: &[u8],
+    measure: Intensity,
+    asked: Option<Units>,
+) -> Result<HazardText, TableError> {
+    // XML is named as what it is here.
+    let text = match bytes.trim_ascii_start().starts_with(b"<") {
+        true => String::from_utf8_lossy(bytes).into_owned(),
+        false => decoded(bytes).map_err(|error| TableError::whole(error.to_string()))?,
+    };
+    read(&text, measure, asked)
 }
 
 /// Reads a curve of a measure; `asked` is the unit of its accelerations, where the caller says one.
 ///
-/// A table has a level and its annual rate of exceedance in each line, with a comma, a semicolon or a tab between; a first
-/// line that is no point is a header, whose words may tell the unit: `PGA [g],rate`. A curve of OpenQuake has the
-/// probabilities of one site in a line: `lon,lat,depth,poe-0.05,poe-0.1`, below a comment with the time they are of.
+/// A table has a level and its annual rate of exceedance, or its return period, in each line. Its heading says what they are, in words of
+/// `hazard_heading`. A curve of OpenQuake has the probabilities of one site in a line: `lon,lat,depth,poe-0.05,poe-0.1`, below a comment
+/// with the time that they are of.
+///
+/// # Errors
+/// What is wrong with the text, where, and what to do.
 pub fn read(
     text: &str,
     measure: Intensity,
     asked: Option<Units>,
-) -> Result<HazardText, HazardError> {
+) -> Result<HazardText, TableError> {
     if asked.is_some() && measure.unit() != ACCELERATION {
-        return Err(HazardError::NoAcceleration { measure: measure.to_string() });
+        let problem = format!("{measure} is no acceleration; leave the units out");
+        return Err(TableError::whole(problem));
     }
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    // A line may end as on any system.
-    let text = text.replace("\r\n", "\n").replace('\r', "\n");
-    let lines = (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty());
-    let lines: Vec<(usize, &str)> = lines.collect();
-    match lines.iter().find(|(_, line)| !line.starts_with('#')) {
-        Some((_, header)) if header.contains(POE) => openquake(&lines, measure, asked),
-        _ => table(&lines, measure, asked),
+    let start = text.trim_start_matches('\u{feff}').trim_start();
+    if start.starts_with('<') {
+        return Err(TableError::whole(
+            "XML, as OpenQuake's NRML, or a web page; give the curve as CSV, which OpenQuake exports as hazard_curve-mean-PGA_1.csv",
+        ));
+    }
+    if start.starts_with('{') || start.starts_with("[{") || start.starts_with("[[") {
+        return Err(TableError::whole(
+            "JSON, as a service of the USGS gives it; give its levels and annual rates as a table with the heading `PGA [g],rate`",
+        ));
+    }
+    let rows = Rows::of(text, 1, true)?;
+    match rows.clone().next().transpose()? {
+        None => Err(TableError::whole("the curve has 0 points; give two at least")),
+        Some(first) if first.cells.iter().any(|name| name.starts_with(POE)) => {
+            hazard_openquake::read(text, measure, asked)
+        }
+        Some(first) => table(text, rows, &first, measure, asked),
     }
 }
 
-/// The unit of the measures that may be given in g.
-const ACCELERATION: &str = "m/s²";
-/// How OpenQuake's columns of probabilities begin; the level follows.
-const POE: &str = "poe-";
-
-/// The name of a unit of accelerations, and what it is in m/s^2.
-fn factor(units: Units) -> (&'static str, f64) {
-    (units.key(), units.factor())
-}
-
-fn table(
-    lines: &[(usize, &str)],
+fn table<'a>(
+    text: &'a str,
+    mut rows: Rows<'a>,
+    first: &Row<'a>,
     measure: Intensity,
     asked: Option<Units>,
-) -> Result<HazardText, HazardError> {
-    let mut lines = lines.iter().filter(|(_, line)| !line.starts_with('#')).peekable();
-    let number = |text: &str| delimited::number(text);
-    let header = lines.next_if(|(_, line)| columns(line).into_iter().all(|c| number(c).is_none()));
-    let said = header.and_then(|(_, line)| unit_of(columns(line)[0]));
-    let rates = match header {
-        Some((_, line)) => hazard_heading::judged(&columns(line), measure)?,
-        None => Rates::Annual,
-    };
-    if let (Some(said), Some(asked)) = (said, asked)
-        && said != asked
-    {
-        return Err(HazardError::Contradicts { said: said.key(), asked: asked.key() });
+) -> Result<HazardText, TableError> {
+    let named: Vec<&Cow<str>> = first.cells.iter().filter(|cell| !cell.is_empty()).collect();
+    let numbers = named.iter().filter(|cell| is_number(cell)).count();
+    let by_blanks = rows.separator() == BLANKS;
+    if named.len() != 2 && (numbers > 0 || !by_blanks) {
+        return Err(TableError::at(first.line, columns(text, &named, numbers)));
     }
-    let acceleration = measure.unit() == ACCELERATION;
-    let units = asked.or(said.filter(|_| acceleration));
-    let (unit, scale) = units.map_or((measure.unit(), 1.0), factor);
+    let names = ["level", "rate"].map(Cow::Borrowed).to_vec();
+    let (heading, sheet) = if numbers > 0 {
+        let above = || comments(text).take_while(|(line, _)| *line < first.line);
+        let heading = above().last().and_then(|(line, comment)| heading_of(line, comment));
+        let other = above().find(|(_, comment)| hazard_heading::is_of_probabilities(comment));
+        if let (None, Some((line, _))) = (&heading, other) {
+            let problem = "the comment says that these are no annual rates; give such rates, below a heading such as `PGA [g],rate`";
+            return Err(TableError::at(line, problem));
+        }
+        (heading, Sheet::named(first.line, names, rows)?)
+    } else if by_blanks {
+        rows.next();
+        (Some((first.line, parted(&named))), Sheet::named(first.line, names, rows)?)
+    } else {
+        let heading = [named[0].to_string(), named[1].to_string()];
+        rows.next();
+        (Some((first.line, heading)), Sheet::named(first.line, first.cells.clone(), rows)?)
+    };
+    let said = heading
+        .as_ref()
+        .map(|(line, [level, rate])| hazard_heading::judged(*line, [level, rate], measure, asked));
+    let said = said.transpose()?.unwrap_or(Heading { unit: None, rates: Rates::Annual });
+    let asked = asked.map(|units| (units.key(), units.factor()));
+    let (unit, scale) = asked.or(said.unit).unwrap_or((measure.unit(), 1.0));
+    let places: Vec<usize> =
+        (0..sheet.names.len()).filter(|at| !sheet.names[*at].is_empty()).collect();
     let mut points: Vec<(usize, [f64; 2])> = Vec::new();
-    for (line, row) in lines {
-        let (line, row) = (*line, columns(row));
-        let [level, rate] = row[..] else {
-            return Err(HazardError::Columns { line, columns: row.len() });
+    for row in sheet.rows() {
+        let row = row?;
+        let positive = |at: usize| {
+            let cell = sheet.cell(&row, at);
+            let number = cell.number()?.filter(|n| *n > 0.0 && n.is_finite());
+            let problem = || {
+                let text = shown(cell.text);
+                format!("`{text}` is no number above zero; write one, or leave the line out")
+            };
+            number.ok_or_else(|| cell.refused(problem()))
         };
-        let positive = |name: &'static str, text: &str| {
-            let number = number(text).filter(|n| *n > 0.0 && n.is_finite());
-            number.ok_or_else(|| HazardError::Number { line, name, text: shown(text) })
-        };
-        let level = scale * positive("level", level)?;
-        let rate = match rates {
-            Rates::Annual => positive("rate", rate)?,
-            Rates::Periods => 1.0 / positive("return period", rate)?,
-        };
-        points.push((line, [level, rate]));
+        let [level, rate] = [positive(places[0])?, positive(places[1])?];
+        let rate = if said.rates == Rates::Periods { 1.0 / rate } else { rate };
+        points.push((row.line, [scale * level, rate]));
     }
     let curve = HazardCurve::of(&points)?;
-    Ok(HazardText { curve, unit, assumed: acceleration && units.is_none() })
-}
-
-/// The curve of a site in OpenQuake's export, of which the units are known: g of accelerations, cm/s of PGV, m/s of the
-/// Arias intensity and g s of CAV (openquake.hazardlib.imt). A probability of 1 tells no rate, one of 0 no logarithm: their
-/// levels are left out.
-fn openquake(
-    lines: &[(usize, &str)],
-    measure: Intensity,
-    asked: Option<Units>,
-) -> Result<HazardText, HazardError> {
-    if let Some(asked) = asked.filter(|asked| *asked != Units::G) {
-        return Err(HazardError::Contradicts { said: Units::G.key(), asked: asked.key() });
-    }
-    let comment: String =
-        lines.iter().filter(|(_, line)| line.starts_with('#')).map(|(_, line)| *line).collect();
-    let years = told(&comment, "investigation_time")
-        .and_then(|text| text.parse().ok())
-        .filter(|years: &f64| *years > 0.0 && years.is_finite())
-        .ok_or(HazardError::NoTime)?;
-    let of = told(&comment, "imt").ok_or(HazardError::NoMeasure)?;
-    let (name, unit, scale) = unit_of_openquake(measure)
-        .ok_or_else(|| HazardError::NotOfOpenQuake { measure: measure.to_string() })?;
-    if !is_same_measure(of, &name) {
-        return Err(HazardError::Measure { found: shown(of), wanted: measure.to_string() });
-    }
-    let mut rows = lines.iter().filter(|(_, line)| !line.starts_with('#'));
-    let header = rows.next().map_or(Vec::new(), |(_, line)| columns(line));
-    let (line, site) = rows.next().ok_or(HazardError::Sites { count: 0 })?;
-    if rows.next().is_some() {
-        return Err(HazardError::Sites { count: 2 + rows.count() });
-    }
-    let site = columns(site);
-    if site.len() != header.len() {
-        return Err(HazardError::Columns { line: *line, columns: site.len() });
-    }
-    let mut points = Vec::new();
-    for (name, text) in header.iter().zip(site) {
-        let Some(level) = name.strip_prefix(POE) else { continue };
-        let number = |name, text: &str| {
-            let number = text.parse().ok().filter(|n: &f64| *n >= 0.0 && n.is_finite());
-            number.ok_or_else(|| HazardError::Number { line: *line, name, text: shown(text) })
-        };
-        let (level, poe) = (number("level", level)?, number("probability", text)?);
-        if level > 0.0 && poe > 0.0 && poe < 1.0 {
-            points.push((*line, [scale * level, -(-poe).ln_1p() / years]));
-        }
-    }
-    Ok(HazardText { curve: HazardCurve::of(&points)?, unit, assumed: false })
-}
-
-/// What OpenQuake calls a measure, the unit in which it has its levels, and what that is in SI units; none of a measure
-/// that it has not.
-pub fn unit_of_openquake(measure: Intensity) -> Option<(String, &'static str, f64)> {
-    match measure {
-        Intensity::Pga => Some(("PGA".into(), "g", GRAVITY)),
-        Intensity::Sa(period) => Some((format!("SA({period})"), "g", GRAVITY)),
-        Intensity::Pgv => Some(("PGV".into(), "cm/s", 0.01)),
-        Intensity::Arias => Some(("IA".into(), "m/s", 1.0)),
-        Intensity::Cav => Some(("CAV".into(), "g s", GRAVITY)),
-        Intensity::AverageSa(_) | Intensity::RelativePga | Intensity::RelativePgv => None,
-    }
-}
-
-/// True of two names of a measure that differ in the digits of a period alone.
-fn is_same_measure(one: &str, other: &str) -> bool {
-    let period = |name: &str| {
-        let inside = name.strip_prefix("SA(")?.strip_suffix(')')?;
-        inside.parse::<f64>().ok()
+    let of = match said.rates {
+        Rates::Annual => "annual rates",
+        Rates::Periods => "return periods in years",
     };
-    one == other || period(one).is_some_and(|of| period(other) == Some(of))
-}
-
-/// The value of a name in a comment such as `investigation_time=50.0, imt='PGA'`.
-fn told<'a>(comment: &'a str, name: &str) -> Option<&'a str> {
-    let (_, rest) = comment.split_once(&format!("{name}="))?;
-    let rest = rest.trim_start_matches('"');
-    let end = match rest.strip_prefix('\'') {
-        Some(quoted) => return quoted.split('\'').next(),
-        None => rest.find([',', '"', ' ']).unwrap_or(rest.len()),
+    let source = match &heading {
+        Some((_, [level, rate])) => format!("{of} `{}` of `{}`", shown(rate), shown(level)),
+        None => format!("without a heading: levels of {measure} and annual rates are taken"),
     };
-    Some(&rest[..end])
+    let assumed = measure.unit() == ACCELERATION && asked.or(said.unit).is_none();
+    Ok(HazardText { curve, unit, assumed, source })
 }
 
-/// The parts of a line; beside semicolons or tabs commas are decimal ones.
-fn columns(line: &str) -> Vec<&str> {
-    let separator = [';', '\t'].into_iter().find(|one| line.contains(*one)).unwrap_or(',');
-    line.split(separator).map(|part| part.trim().trim_matches('"').trim()).collect()
+/// What is wrong with a first row that has not two cells.
+fn columns(text: &str, named: &[&Cow<str>], numbers: usize) -> String {
+    let is_place = |name: &&Cow<str>| {
+        let name = name.to_lowercase();
+        ["lon", "lat", "longitude", "latitude"].contains(&&*name)
+    };
+    if comments(text).any(|(_, comment)| comment.contains("OpenQuake")) {
+        return "an export of OpenQuake that is no hazard curve (a map or a spectrum of a probability); give its \
+                hazard_curve-mean-PGA_1.csv, with columns poe-0.05, ..."
+            .into();
+    }
+    let count = named.len();
+    if numbers > 1 && numbers < count {
+        return "levels stand in its heading, with a site in each line, as in curves of NSHMP; write those of one site as lines of a \
+                level and its annual rate below `PGA [g],rate`"
+            .into();
+    }
+    if named.iter().any(is_place) {
+        return "a grid of sites; leave the level and the annual rate of one site, below `PGA [g],rate`".into();
+    }
+    let names: Vec<String> = named.iter().take(6).map(|name| shown(name)).collect();
+    format!(
+        "it has {count} columns ({}); leave two, a level and its annual rate, or give the one site of OpenQuake",
+        names.join(", ")
+    )
 }
 
-/// The unit of accelerations that a header's words tell, in brackets or after an underscore: `PGA [g]`, `sa (m/s2)`, `pga_g`.
-fn unit_of(header: &str) -> Option<Units> {
-    let after = header.rsplit(['[', '(', '_', ' ']).next()?;
-    Units::named(after.trim_end_matches([']', ')']))
+/// The heading in a comment, as numpy writes it: two names, of which one at least is known.
+fn heading_of(line: usize, comment: &str) -> Option<(usize, [String; 2])> {
+    let rows = Rows::of(comment, line, true).ok()?;
+    let by_blanks = rows.separator() == BLANKS;
+    let row = rows.into_iter().next()?.ok()?;
+    let named: Vec<&Cow<str>> = row.cells.iter().filter(|cell| !cell.is_empty()).collect();
+    let heading = match named[..] {
+        _ if by_blanks => parted(&named),
+        [level, rate] => [level.to_string(), rate.to_string()],
+        _ => return None,
+    };
+    let [level, rate] = &heading;
+    hazard_heading::is_meant([level, rate]).then_some((line, heading))
+}
+
+/// A heading whose words blanks part: the second name begins at the first word of a rate or of a period.
+fn parted(words: &[&Cow<str>]) -> [String; 2] {
+    let words: Vec<&str> = words.iter().map(|word| &***word).collect();
+    let halves = |at: usize| [words[..at].join(" "), words[at..].join(" ")];
+    let at = (1..words.len()).find(|at| hazard_heading::is_of_rates(&halves(*at)[1]));
+    halves(at.unwrap_or(1.min(words.len())))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::fragility::Lognormal;
+    use topple::scene::GRAVITY;
 
     fn error(text: &str) -> String {
         read(text, Intensity::Pga, None).unwrap_err().to_string()
@@ -214,39 +223,150 @@ mod tests {
     }
 
     #[test]
-    fn a_bad_table_is_refused_by_its_line() {
+    fn a_bad_table_is_refused_by_its_place() {
         let head = "level,rate\n0.1,0.01\n";
-        assert!(error(&format!("{head}0.2\n")).starts_with("line 3: it has 1 columns"));
-        assert!(error(&format!("{head}\n0.2,a\n")).starts_with("line 4: rate `a` is no number"));
-        assert!(error(&format!("{head}-1,0.001\n")).starts_with("line 3: level `-1`"));
-        assert!(error(&format!("{head}0.2,0\n")).starts_with("line 3: rate `0`"));
-        assert!(error(&format!("{head}0.2,inf\n")).starts_with("line 3: rate `inf`"));
-        assert!(error(&format!("{head}0.1,0.001\n")).starts_with("line 3: the level"));
-        assert!(error(&format!("{head}0.2,0.02\n")).starts_with("line 3: the rate"));
-        assert!(error("1,x\n2,0.1\n").starts_with("line 1: rate `x`"));
+        for (rows, wanted) in [
+            ("0.2\n", "line 3: 1 fields where the heading has 2"),
+            ("\n0.2,a\n", "line 4, column rate: 'a' is no number such as"),
+            ("-1,0.001\n", "line 3, column level: `-1` is no number above zero"),
+            ("0.2,0\n", "line 3, column rate: `0`"),
+            ("0.2,inf\n", "line 3, column rate: `inf`"),
+            ("0.2,\n", "line 3, column rate: `` is no number above zero"),
+            ("0.2,0.001,3\n", "line 3: '3' stands in a column without a name"),
+            ("0.2,\"0.001\n1,1\n", "line 3: a cell begins with a quote"),
+            ("\"1,200\",0.001\n", "line 3, column level: '1,200' may be 1200 or 1.2; write"),
+            ("0.1,0.001\n", "line 3: the level"),
+            ("0.2,0.02\n", "line 3: the rate"),
+        ] {
+            let said = error(&format!("{head}{rows}"));
+            assert!(said.starts_with(wanted) && !said.contains('\n'), "{rows}: {said}");
+        }
+        assert!(error("1,x\n2,0.1\n").starts_with("line 1, column rate: 'x' is no number"));
         assert_eq!(error(head), "the curve has 1 points; give two at least");
         assert_eq!(error(""), "the curve has 0 points; give two at least");
+        assert_eq!(error("# of a site\n"), "the curve has 0 points; give two at least");
+        let separated = error("PGA [g];rate\n200.000;0,01\n");
+        assert!(
+            separated.starts_with("line 2, column PGA [g]: '200.000' may be 200000 or 200"),
+            "{separated}"
+        );
     }
 
     #[test]
-    fn a_header_has_any_name_and_may_tell_the_unit() {
-        let rows = "0.1,0.01\n0.2,0.001\n";
-        for (header, unit, scale, assumed) in [
-            ("level,rate\n", "m/s²", 1.0, true),
-            ("", "m/s²", 1.0, true),
-            ("PGA (g);annual rate of exceedance\n", "g", GRAVITY, false),
-            ("acc [m/s2],lambda\n", "m/s2", 1.0, false),
-            ("pga_g,afe\n", "g", GRAVITY, false),
-            ("\u{feff}# of a site\nim,mafe\n", "m/s²", 1.0, true),
+    fn tables_of_any_program_are_read() {
+        let wanted = ([0.1 * GRAVITY, 0.2 * GRAVITY], "g", false);
+        for text in [
+            "PGA [g],rate\n0.1,0.01\n0.2,0.001\n",
+            "PGA (g);annual rate of exceedance\n0,1;0,01\n0,2;0,001\n",
+            "\u{feff}sep=;\r\nPGA [g];rate\r\n0,1;0,01\r\n0,2;0,001\r\n",
+            "sep=,\nPGA [g],rate\n0.1,0.01\n0.2,0.001\n",
+            "PGA [g]\trate\n0.1\t0.01\n0.2\t0.001\n",
+            "PGA [g],rate,,\n0.1,0.01,,\n,,,\n0.2,0.001,,\n,,,\n",
+            "\"PGA [g]\",\"rate\"\n\"0.1\",\"0.01\"\n\"0.2\",\"0.001\"\n",
+            "\"PGA [g],rate\"\n\"0.1,0.01\"\n\"0.2,0.001\"\n",
+            "# PGA [g],rate\n0.1,0.01\n0.2,0.001\n",
+            "# PGA [g], rate\n1.0e-01 1.0e-02\n2.0e-01 1.0e-03\n",
+            "# a title\n\npga_g afe\n  0.1   0.01\n# between\n  0.2   0.001\n",
+            "PGA [g]   annual rate of exceedance\n0.1 0.01\n0.2 0.001\n",
+            "PGA [g];rate\n0.100;0.010\n0.200;0.001\n",
         ] {
-            let (levels, of, taken) = ends(&format!("{header}{rows}"), Intensity::Pga, None);
-            assert!(near(levels, [0.1 * scale, 0.2 * scale]), "{header}: {levels:?}");
-            assert_eq!((of, taken), (unit, assumed), "{header}");
+            let (levels, unit, assumed) = ends(text, Intensity::Pga, None);
+            assert!(near(levels, wanted.0), "{text:?}: {levels:?}");
+            assert_eq!((unit, assumed), (wanted.1, wanted.2), "{text:?}");
+        }
+        // Without a heading, by blanks and by semicolons.
+        for text in [" 1.0E-01   1.0E-02\n 2.0E-01   1.0E-03\n", "0,1;0,01\n0,2;0,001\n"] {
+            let read = |units| read(text, Intensity::Pga, units).unwrap();
+            assert!(near(read(Some(Units::G)).curve.ends(), wanted.0), "{text}");
+            let bare = read(None);
+            assert!(bare.assumed && near(bare.curve.ends(), [0.1, 0.2]), "{text}");
+            assert_eq!(bare.source, "without a heading: levels of pga and annual rates are taken");
+        }
+        let said = read("PGA [g],AFE\n0.1,0.01\n0.2,0.001\n", Intensity::Pga, None).unwrap();
+        assert_eq!(said.source, "annual rates `AFE` of `PGA [g]`");
+        // What numpy writes above the numbers is judged as a heading is.
+        let of_numpy = "# PGA [g], PoE50\n1.0e-01 1.0e-02\n2.0e-01 1.0e-03\n";
+        let said = error(of_numpy);
+        assert!(said.starts_with("line 1, column PoE50: says no annual rate"), "{said}");
+        let rows = "0.1 0.01\n0.2 0.001\n";
+        for (comment, wanted) in [
+            ("# PGA PoE50", Err("line 1, column PoE50: says no annual rate")),
+            ("# SA(0.2) rate", Err("line 1, column SA(0.2): these are no levels of pga")),
+            ("# PoE in 50 years", Err("line 1: the comment says that these are no annual rates")),
+            ("# 10 % in 50 years\n# Rome", Err("line 1: the comment says")),
+            ("# PGA [g] annual rate", Ok("g")),
+            ("# Rome, 2020", Ok("m/s²")),
+            ("# my site", Ok("m/s²")),
+        ] {
+            let text = format!("{comment}\n{rows}");
+            match (read(&text, Intensity::Pga, None), wanted) {
+                (Ok(read), Ok(unit)) => assert_eq!(read.unit, unit, "{comment}"),
+                (Err(said), Err(wanted)) => {
+                    assert!(said.to_string().starts_with(wanted), "{comment}: {said}");
+                }
+                (found, _) => panic!("{comment}: {found:?}"),
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_table_of_one_curve_is_named() {
+        let of_openquake = |heading: &str| {
+            let made =
+                "generated_by='OpenQuake engine 3.20.1', kind='mean', investigation_time=50.0";
+            format!("#,,,\"{made}\"\n{heading}\n11.1,45.2,0.1,0.2\n")
+        };
+        let no_curve = "line 2: an export of OpenQuake that is no hazard curve";
+        for (text, wanted) in [
+            ("<?xml version=\"1.0\"?>\n<nrml><hazardCurves/></nrml>".to_string(), "XML, as"),
+            ("\u{feff} <nrml>".into(), "XML"),
+            ("{\"status\":\"success\",\"response\":[]}".into(), "JSON"),
+            ("[{\"metadata\":{}}]".into(), "JSON"),
+            (
+                "name,lon,lat,0.005,0.01,0.02\nA,-100,40,0.2,0.07,0.02\n".into(),
+                "line 1: levels stand in its heading",
+            ),
+            ("lon,lat,PGA [g],rate\n1,2,0.1,0.01\n1,2,0.2,0.001\n".into(), "line 1: a grid of"),
+            (of_openquake("lon,lat,PGA-0.1,PGA-0.02"), no_curve),
+            (of_openquake("lon,lat,0.1~PGA,0.1~SA(0.2)"), no_curve),
+            (
+                "PGA [g],rate,source\n0.1,0.01,a\n".into(),
+                "line 1: it has 3 columns (PGA [g], rate, source); leave two",
+            ),
+            ("PGA [g],mean,84 %\n0.1,0.01,0.02\n".into(), "line 1: it has 3 columns"),
+            ("0.1,0.01,0.02\n0.2,0.001,0.002\n".into(), "line 1: it has 3 columns"),
+            ("0.1 0.01 0.02\n0.2 0.001 0.002\n".into(), "line 1: it has 3 columns"),
+            ("rate\n0.1\n".into(), "line 1: it has 1 columns"),
+        ] {
+            for units in [None, Some(Units::G)] {
+                let said = read(&text, Intensity::Pga, units).unwrap_err().to_string();
+                assert!(said.starts_with(wanted) && !said.contains('\n'), "{text}: {said}");
+            }
+        }
+        let bytes = |bytes: &[u8]| of_bytes(bytes, Intensity::Pga, None);
+        assert!(bytes(b"\n<nrml/>").unwrap_err().to_string().starts_with("XML"));
+        assert!(bytes(b"%PDF-1.7").unwrap_err().to_string().starts_with("a PDF"));
+        // Windows' letters, and UTF-16.
+        let latin = b"PGA [cm/s\xb2],rate\n10,0.01\n20,0.001\n";
+        let wide = "\u{feff}PGA [gal],rate\n10,0.01\n20,0.001\n".encode_utf16();
+        let wide: Vec<u8> = wide.flat_map(u16::to_le_bytes).collect();
+        for text in [&latin[..], &wide] {
+            let read = bytes(text).unwrap();
+            assert!(near(read.curve.ends(), [0.1, 0.2]) && read.unit == "cm/s2", "{read:?}");
+        }
+    }
+
+    #[test]
+    fn the_caller_may_say_the_unit() {
+        let rows = "0.1,0.01\n0.2,0.001\n";
+        for heading in ["level,rate\n", "", "# of a site\nim,mafe\n"] {
+            let (levels, of, taken) = ends(&format!("{heading}{rows}"), Intensity::Pga, None);
+            assert!(near(levels, [0.1, 0.2]) && (of, taken) == ("m/s²", true), "{heading}");
         }
         let rows = format!("level,rate\n{rows}");
         let (levels, unit, assumed) = ends(&rows, Intensity::Sa(1.0), Some(Units::G));
         assert!(near(levels, [0.1 * GRAVITY, 0.2 * GRAVITY]) && unit == "g" && !assumed);
-        // A velocity has one unit, and none is assumed.
+        // A velocity has one unit where its heading says none, and none is assumed.
         assert_eq!(
             ends(&rows, Intensity::Pgv, None),
             ([0.1_f64.ln().exp(), 0.2_f64.ln().exp()], "m/s", false)
@@ -257,7 +377,8 @@ mod tests {
         assert_eq!(problem, "pgv is no acceleration; leave the units out");
         let said = "pga [g],rate\n0.1,0.01\n0.2,0.001\n";
         let problem = refused(said, Intensity::Pga, Some(Units::MetresPerSecondSquared));
-        assert_eq!(problem, "its levels are in g, not in m/s2; leave the units out");
+        let wanted = "its levels are in g, not in m/s2; leave the units out";
+        assert_eq!(problem, format!("line 1, column pga [g]: {wanted}"));
     }
 
     /// As version 3.15 exports it, with the probabilities of 50 years; those of 1 and 0 tell nothing.
@@ -286,43 +407,51 @@ mod tests {
         assert!(of(SITE, Intensity::AverageSa(0.5), None).contains("has no curves of avg-sa:0.5"));
         let row = SITE.lines().last().unwrap();
         let two = of(&format!("{SITE}{row}\n{row}\n"), Intensity::Sa(0.5), None);
-        assert!(two.starts_with("it has 3 sites"), "{two}");
+        assert!(two.starts_with("line 4: it has 3 sites"), "{two}");
         let bare: String = SITE.lines().skip(1).map(|line| format!("{line}\n")).collect();
         assert!(of(&bare, Intensity::Sa(0.5), None).contains("investigation_time"));
     }
 
+    /// Of all kinds the curves are read, and the words say which it was.
     #[test]
-    fn a_heading_that_says_another_thing_is_refused_and_periods_are_converted() {
-        let rows = "0.1,0.01\n0.2,0.001\n";
-        for (heading, wanted) in [
-            ("pga,probability of exceedance in 50 years", "these are probabilities"),
-            ("pga,poe", "these are probabilities"),
-            ("annual rate,pga", "the levels come first"),
-            ("lambda,PGA (g)", "the levels come first"),
-            ("sa(1.0),rate", "these are levels of sa, not of pga"),
-            ("PGV (cm/s),rate", "these are levels of pgv, not of pga"),
-            ("pga (mg),rate", "levels in mg are not read"),
-            ("pga [%g],rate", "levels in %g are not read"),
-        ] {
-            let said = error(&format!("{heading}\n{rows}"));
-            assert!(
-                said.starts_with("the heading `") && said.contains(wanted),
-                "{heading}: {said}"
-            );
+    fn a_curve_of_openquake_says_its_kind_time_and_site() {
+        let of = |kind: &str| {
+            let text = SITE.replace("kind='mean'", &format!("kind='{kind}'"));
+            read(&text, Intensity::Sa(0.5), None)
+        };
+        for kind in ["mean", "max", "quantile-0.84", "rlz-003"] {
+            let place = "probabilities in 50 years, site lon 0, lat 0";
+            assert_eq!(of(kind).unwrap().source, format!("OpenQuake, {kind}, SA(0.5), {place}"));
         }
-        let periods =
-            read("pga (g);Return period [years]\r0,1;475\r0,2;2475\r", Intensity::Pga, None)
-                .unwrap();
-        let rates = read(
-            "pga (g),rate\n0.1,0.00210526315789\n0.2,0.00040404040404\n",
-            Intensity::Pga,
-            None,
-        );
-        let step = Lognormal { theta: 1.3, beta: 0.3 };
-        let [one, other] = [periods, rates.unwrap()].map(|text| text.curve.rate(&step).rate);
-        assert!((one / other - 1.0).abs() < 1.0e-9, "{one} {other}");
-        let velocities =
-            read("PGV (cm/s),rate\n10,0.01\n20,0.001\n", Intensity::Pgv, None).unwrap_err();
-        assert!(velocities.to_string().contains("give m/s"), "{velocities}");
+        for kind in ["std", "cov", "meanstd", ""] {
+            let said = of(kind).unwrap_err().to_string();
+            assert!(said.starts_with(&format!("`kind='{kind}'` is no hazard curve")), "{said}");
+        }
+    }
+
+    #[test]
+    fn return_periods_and_other_units_are_converted() {
+        let rate = |text: &str, measure| {
+            let step = Lognormal { theta: 1.3, beta: 0.3 };
+            read(text, measure, None).unwrap().curve.rate(&step).rate
+        };
+        let rates = "pga (g),rate\n0.1,0.00210526315789\n0.2,0.00040404040404\n";
+        let periods = "pga (g);Return period [years]\r0,1;475\r0,2;2475\r";
+        let gal = "PGA [Gal]\trate\n98.1\t0.00210526315789\n196.2\t0.00040404040404\n";
+        for text in [periods, gal] {
+            let [one, other] = [text, rates].map(|text| rate(text, Intensity::Pga));
+            assert!((one / other - 1.0).abs() < 1.0e-9, "{one} {other}");
+        }
+        for (unit, factor, measure) in [
+            ("PGV [cm/s]", 100.0, Intensity::Pgv),
+            ("PGV (cm/sec)", 100.0, Intensity::Pgv),
+            ("Arias [cm/sec]", 100.0, Intensity::Arias),
+            ("CAV [g s]", 1.0 / GRAVITY, Intensity::Cav),
+            ("CAV [cm/s]", 100.0, Intensity::Cav),
+        ] {
+            let text = format!("{unit},rate\n{},0.01\n{},0.001\n", factor, 2.0 * factor);
+            let ends = read(&text, measure, None).unwrap().curve.ends();
+            assert!(near(ends, [1.0, 2.0]), "{unit}: {ends:?}");
+        }
     }
 }

@@ -3,11 +3,9 @@
 
 use std::collections::BTreeSet;
 
-use serde::Deserialize;
-
-use super::delimited;
 use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
+use crate::sheet::{Cell, Rows, Sheet, TableError};
 use topple::scene::record::text::printable;
 use topple::scene::record::zips::MOST_FILES;
 use topple::scene::record::{Baseline, Units};
@@ -30,76 +28,70 @@ const COLUMNS: [&str; 12] = [
     "weight",
 ];
 
-/// A row of the list, its numbers as they are written.
-#[derive(Deserialize)]
-struct Row {
-    id: Option<String>,
-    event: Option<String>,
-    station: Option<String>,
-    horizontal: String,
-    vertical: Option<String>,
-    horizontal_channel: Option<String>,
-    vertical_channel: Option<String>,
-    dt: Option<String>,
-    units: Option<String>,
-    baseline: Option<String>,
-    scale: Option<String>,
-    weight: Option<String>,
-}
-
-/// The number of a column in a line; none where nothing is written.
-fn positive(at: usize, column: &str, text: Option<&str>) -> Result<Option<f64>, String> {
-    let Some(text) = text.filter(|text| !text.is_empty()) else { return Ok(None) };
-    match delimited::number(text) {
+/// The number of a cell; none where nothing is written.
+pub(super) fn positive(cell: Cell) -> Result<Option<f64>, TableError> {
+    let text = shown(cell.text);
+    match cell.number()? {
         Some(number) if number > MOST_FACTOR => {
-            Err(format!("line {at}: {column} {text} is above {MOST_FACTOR:e}"))
+            Err(cell.refused(format!("{text} is above {MOST_FACTOR:e}")))
         }
         Some(number) if number > 0.0 => Ok(Some(number)),
-        _ => Err(format!("line {at}: {column} {text} must be a positive number")),
+        Some(_) => Err(cell.refused(format!("{text} must be a positive number"))),
+        None => Ok(None),
     }
 }
 
-/// The units of a line; none where nothing is written.
-fn units(at: usize, text: Option<&str>) -> Result<Option<Units>, String> {
-    let Some(text) = text.filter(|text| !text.is_empty()) else { return Ok(None) };
+/// The units of a cell; none where nothing is written.
+fn units(cell: Cell) -> Result<Option<Units>, TableError> {
+    let text = cell.text;
     match Units::named(text) {
+        _ if text.is_empty() => Ok(None),
         Some(units) => Ok(Some(units)),
-        None => Err(format!("line {at}: units {text} are not known; give g, m/s2, cm/s2 or gal")),
+        None => {
+            let text = shown(text);
+            Err(cell.refused(format!("{text} is not known; give g, m/s2, cm/s2 or gal")))
+        }
     }
 }
 
-/// What is subtracted from the velocity of a line; none where nothing is written.
-fn baseline(at: usize, text: Option<&str>) -> Result<Option<Baseline>, String> {
-    let Some(text) = text.filter(|text| !text.is_empty()) else { return Ok(None) };
-    let known = Baseline::of_key(text);
-    known
-        .map(Some)
-        .ok_or_else(|| format!("line {at}: baseline {text} is not known; give none or line"))
+/// What is subtracted from the velocity of a motion; none where nothing is written.
+fn baseline(cell: Cell) -> Result<Option<Baseline>, TableError> {
+    match Baseline::of_key(cell.text) {
+        _ if cell.text.is_empty() => Ok(None),
+        Some(baseline) => Ok(Some(baseline)),
+        None => {
+            let text = shown(cell.text);
+            Err(cell.refused(format!("{text} is not known; give none or line")))
+        }
+    }
 }
 
 /// Most lines of a list: each may have files of its own, of which no more are looked at.
 const MOST: usize = MOST_FILES;
 
 /// Refuses a line after which there are more entries than a list may have.
-pub(super) fn within(at: usize, entries: usize) -> Result<(), String> {
+pub(super) fn within(at: usize, entries: usize) -> Result<(), TableError> {
     match entries < MOST {
         true => Ok(()),
-        false => Err(format!("line {at}: more than {MOST} motions; give several lists")),
+        false => Err(TableError::at(at, format!("more than {MOST} motions; give several lists"))),
     }
 }
 
-/// The columns of a heading, in small letters.
+/// The columns of a heading, in small letters; none of a text without one.
 fn headings(text: &str) -> Vec<String> {
-    let heading = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-    let names = heading.split(delimited::separator(heading));
-    names.map(|name| name.trim().trim_matches('"').trim().to_lowercase()).collect()
+    let first = Rows::of(text, 1, false).ok().and_then(|mut rows| rows.next()?.ok());
+    first.map_or_else(Vec::new, |row| row.cells.iter().map(|name| name.to_lowercase()).collect())
 }
 
-/// True of a list: its heading has a column `horizontal`, and not the measures of a table that was made of a suite.
+/// True of a list: its heading has a column `horizontal`, and not the measures of a table that was made of a suite. Below comments, which
+/// records have, too, all its columns are those of a list.
 pub fn matches(text: &str) -> bool {
-    let names = headings(&delimited::plain(text));
+    let names = headings(text);
     let has = |wanted| names.iter().any(|name| name == wanted);
-    has("horizontal") && !has("arias")
+    let is_column = |name: &String| name.is_empty() || COLUMNS.contains(&name.as_str());
+    has("horizontal")
+        && !has("arias")
+        && (!text.trim_start().starts_with('#') || names.iter().all(is_column))
 }
 
 /// True of a list whose fields are parted otherwise, or whose name is no list's: all words of its heading are columns, and
@@ -120,62 +112,39 @@ pub fn is_measures(text: &str) -> bool {
 }
 
 /// The entries of a list; its files lie beside it, or below.
-pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, String> {
-    let text = &*delimited::plain(text);
-    let mut written = text.lines().zip(1..).filter(|(line, _)| !line.trim().is_empty());
-    let (heading, first) = written.next().unwrap_or(("", 1));
-    let mut reader = csv::ReaderBuilder::new()
-        .trim(csv::Trim::All)
-        .delimiter(delimited::separator(heading) as u8)
-        .from_reader(text.as_bytes());
-    let names = reader.headers().map_err(|error| error.to_string())?;
-    let names: csv::StringRecord = names.iter().map(|name| name.trim().to_lowercase()).collect();
+pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, TableError> {
+    let empty = || TableError::whole("it has no line below its heading; give a motion a line");
+    let sheet = Sheet::of(Rows::of(text, 1, false)?)?.ok_or_else(empty)?;
+    let names: Vec<String> = sheet.names.iter().map(|name| name.to_lowercase()).collect();
+    let columns = || COLUMNS.join(",");
     if !names.iter().any(|heading| heading == "horizontal") {
-        return Err(format!(
-            "line {first}: no column 'horizontal'; give id,horizontal,vertical,dt,units,scale,weight with commas between, \
-             or the list of a download from PEER"
+        return Err(TableError::at(
+            sheet.line,
+            "no column 'horizontal'; give id,horizontal,vertical,dt,units,scale,weight with commas between, \
+             or the list of a download from PEER",
         ));
     }
-    if let Some(other) = names.iter().find(|name| !COLUMNS.contains(name) && !name.is_empty()) {
-        return Err(format!(
-            "line {first}: no column is called '{other}'; there are {}",
-            COLUMNS.join(",")
-        ));
+    let is_unknown = |name: &&String| !name.is_empty() && !COLUMNS.contains(&name.as_str());
+    if let Some(other) = names.iter().find(is_unknown) {
+        let problem = format!("no column is called '{}'; there are {}", shown(other), columns());
+        return Err(TableError::at(sheet.line, problem));
     }
+    let sheet = sheet.without_numbered_comments(text)?;
     let (mut entries, mut ids) = (Vec::<Entry>::new(), BTreeSet::new());
-    let mut rows = reader.into_records();
-    loop {
-        let at = delimited::line(text, rows.reader().position());
-        let Some(row) = rows.next() else { break };
-        within(at, entries.len())?;
-        // Spreadsheets leave separators at the ends of rows; what stands there has no name.
-        let unnamed = row
-            .iter()
-            .flatten()
-            .zip(&names)
-            .find(|(field, name)| name.is_empty() && !field.is_empty());
-        if let Some((field, _)) = unnamed {
-            return Err(format!(
-                "line {at}: '{}' stands in a column without a name; name it, one of {}",
-                shown(field),
-                COLUMNS.join(",")
-            ));
-        }
-        let row = row.and_then(|row| row.deserialize::<Row>(Some(&names)));
-        let row = row.map_err(|error| match error.kind() {
-            csv::ErrorKind::Deserialize { err, .. } => format!("line {at}: {err}"),
-            csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
-                format!("line {at}: {len} fields where the heading has {expected_len}")
-            }
-            _ => format!("line {at}: {error}"),
-        })?;
-        if row.horizontal.is_empty() {
-            return Err(format!("line {at}: no horizontal file; give one"));
-        }
-        let there = files.find(&row.horizontal, name);
-        let mut entry = Entry::of(there.as_deref().unwrap_or(&row.horizontal));
+    for row in sheet.rows() {
+        let row = row?;
+        within(row.line, entries.len())?;
+        let cell = |column: &str| {
+            let at = names.iter().position(|name| name == column);
+            sheet.cell(&row, at.unwrap_or(usize::MAX))
+        };
+        let text = |column: &str| Some(cell(column).text).filter(|text| !text.is_empty());
+        let horizontal = text("horizontal")
+            .ok_or_else(|| TableError::at(row.line, "no horizontal file; give one"))?;
+        let there = files.find(horizontal, name);
+        let mut entry = Entry::of(there.as_deref().unwrap_or(horizontal));
         entry.missing = there.err();
-        match row.vertical.as_deref().filter(|name| !name.is_empty()) {
+        match text("vertical") {
             None => {
                 entry.horizontal_alone = true;
                 entry
@@ -189,34 +158,31 @@ pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, String>
                 entry.vertical = found.ok();
             }
         }
-        entry.dt = positive(at, "dt", row.dt.as_deref())?;
-        entry.scale = positive(at, "scale", row.scale.as_deref())?.unwrap_or(1.0);
-        entry.weight = positive(at, "weight", row.weight.as_deref())?.unwrap_or(1.0);
+        entry.dt = positive(cell("dt"))?;
+        entry.scale = positive(cell("scale"))?.unwrap_or(1.0);
+        entry.weight = positive(cell("weight"))?.unwrap_or(1.0);
         if entry.scale != 1.0 {
             entry.notes.push(format!("scaled by {}, the list's factor", entry.scale));
         }
         if entry.weight != 1.0 {
             entry.notes.push(format!("weight {}", entry.weight));
         }
-        entry.units = units(at, row.units.as_deref())?;
-        entry.baseline = baseline(at, row.baseline.as_deref())?;
-        entry.channels = [row.horizontal_channel, row.vertical_channel]
-            .map(|channel| channel.filter(|channel| !channel.is_empty()));
+        entry.units = units(cell("units"))?;
+        entry.baseline = baseline(cell("baseline"))?;
+        entry.channels =
+            ["horizontal_channel", "vertical_channel"].map(|key| text(key).map(String::from));
         // Files of one name in two folders get ids of their own.
-        let id = row.id.as_deref().map(printable);
+        let id = text("id").map(printable);
         if let Some(id) = id.filter(|id| !id.is_empty()) {
             if !ids.insert(id.clone()) {
-                let id = shown(&id);
-                return Err(format!("line {at}: the id {id} stands twice; give each its own"));
+                let problem = format!("the id {} stands twice; give each its own", shown(&id));
+                return Err(TableError::at(row.line, problem));
             }
             entry.id = id;
         }
-        entry.event = row.event.as_deref().map_or(String::new(), printable);
-        entry.station = row.station.as_deref().map_or(String::new(), printable);
+        [entry.event, entry.station] =
+            ["event", "station"].map(|key| text(key).map_or_else(String::new, printable));
         entries.push(entry);
     }
-    if entries.is_empty() {
-        return Err("it has no line below its heading; give a motion a line".into());
-    }
-    Ok(entries)
+    if entries.is_empty() { Err(empty()) } else { Ok(entries) }
 }

@@ -6,7 +6,6 @@
 //! ```
 
 pub mod columns;
-pub(crate) mod delimited;
 pub(crate) mod entry;
 pub mod envelope;
 pub(crate) mod error;

@@ -176,7 +176,7 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), Suit
             .map_err(|reason| SuiteError::Read { path: path.into(), reason })?;
         let text = text::decoded(&bytes).map_err(|error| refused(path, error.to_string()))?;
         let read = if peer::matches(&text) { peer::read } else { list::read };
-        let entries = read(&text, "", files).map_err(|problem| refused(path, problem))?;
+        let entries = read(&text, "", files).map_err(|problem| refused(path, problem.to_string()))?;
         return Ok((of_list(entries), Vec::new()));
     }
     for name in files.names().iter().filter(|name| ending(name, "csv") || ending(name, "tsv")) {
@@ -188,7 +188,8 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), Suit
             (_, true) => list::read(&text, name, files),
             _ => continue,
         };
-        listed.extend(of_list(read.map_err(|problem| refused(&files.path(name), problem))?));
+        let read = read.map_err(|problem| refused(&files.path(name), problem.to_string()))?;
+        listed.extend(of_list(read));
         lists.insert(name);
         if listed.len() > MOST_FILES {
             let problem = format!("with it there are more than {MOST_FILES} motions in all lists");
