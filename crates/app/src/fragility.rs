@@ -25,7 +25,7 @@ use topple_studies::uncertain::{SAMPLES, Varied};
 use super::errors::sweep_error;
 use super::fragility_words as told;
 use super::hazard::HazardFlags;
-use super::inputs::{self, Inputs};
+use super::inputs::Inputs;
 use super::limits::IntervalFlags;
 use super::map_files::Figure;
 use super::named::{estimator, export};
@@ -174,9 +174,8 @@ impl FragilityCommand {
         let options = &self.options;
         let print = options.pictures.print().map_err(InputError)?;
         let place = Place::of(&options.out, Kind::Fragility)?;
-        let hazard = self.hazard.read(self.im)?;
-        // Before the sweep: who changes the file meanwhile has not changed what was read.
-        let inputs = inputs::of(&[(inputs::HAZARD, self.hazard.path())]);
+        let mut inputs = self.motions.inputs();
+        let hazard = self.hazard.read(self.im, &mut inputs)?;
         let text = self.common.text(Some("Fragility"), self.record.placed());
         let request = self.motions.request(&self.common, options, text)?;
         let request = self.request(request, hazard.as_ref());
@@ -265,7 +264,7 @@ impl FragilityCommand {
             hazard: self.hazard.path(),
             hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
             hazard_curve: hazard.as_ref().map(|hazard| hazard.curve.points()),
-            inputs,
+            inputs: inputs.checksums(),
             target: self.target,
             unresolved: study.cells.iter().map(|cell| cell.unresolved).sum(),
             notes: told::notes(&study),

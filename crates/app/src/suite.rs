@@ -12,6 +12,7 @@ use topple_pictures::studies::suite as picture;
 use topple_studies::suites::measures::Measures;
 use topple_studies::suites::{Entry, Motion, Suite, SuiteError, table};
 
+use super::command_line::CommandLine;
 use super::inputs::PUT_BACK;
 use super::picture_flags::PictureFlags;
 use super::results_directory::Place;
@@ -46,6 +47,8 @@ pub struct SuiteCommand {
 struct Manifest<'a> {
     #[serde(serialize_with = "path_text::serialize")]
     suite: &'a std::path::Path,
+    /// What repeats the run.
+    command: CommandLine,
     motions: usize,
     /// Where each motion came from, its factor and its weight, by its id.
     records: BTreeMap<&'a str, Source<'a>>,
@@ -157,6 +160,7 @@ impl SuiteCommand {
         out.picture("suite", &svg, &png)?;
         let manifest = Manifest {
             suite: &self.path,
+            command: CommandLine::own(),
             motions: suite.motions().count(),
             records: sources(&suite),
             left_out: left_out(&suite),

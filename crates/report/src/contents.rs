@@ -306,9 +306,13 @@ fn unrepeatable(folder: &Folder) -> Option<&'static str> {
     let is_told = |key: &str| folder.run.get(key).is_some_and(|value| !value.is_null());
     let recorded = folder.scene.as_ref().is_some_and(|scene| scene.excitation.record().is_some());
     match folder.kind {
-        Kind::Envelope | Kind::Fragility | Kind::Comparison if !is_told("command") => Some(
+        Kind::Suite | Kind::Envelope | Kind::Fragility | Kind::Comparison
+            if !is_told("command") =>
+        {
+            Some(
             "No command repeats it: its run.json does not say which one was given. Give the whole command again.",
-        ),
+            )
+        }
         Kind::Map | Kind::History | Kind::Probability if recorded && !is_told("record") => Some(
             "No command repeats it: its run.json does not say where its record lies. Give the record to topple seismic again.",
         ),
@@ -341,13 +345,6 @@ fn repeated(folder: &Folder, told: &mut Vec<String>) -> Vec<Piece> {
         Some(arguments) => {
             let words = arguments.iter().filter_map(Value::as_str).map(shown::word);
             vec![std::iter::once("topple".to_string()).chain(words).collect::<Vec<_>>().join(" ")]
-        }
-        None if matches!(folder.kind, Kind::Suite) => {
-            vec![format!(
-                "topple suite {} --out {}",
-                shown::word(folder.text("suite").unwrap_or_default()),
-                again(folder)
-            )]
         }
         None => {
             let path = shown::word(&folder.path.to_string_lossy());
