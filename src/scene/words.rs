@@ -9,23 +9,26 @@ const NAMED: usize = 8;
 
 /// The values of an axis: `T_h = 1, 5 s`, or `T_h = 0.5 to 4 s, 400 values`.
 pub fn axis(axis: &Axis) -> String {
-    let (entry, count) = (axis.entry(), axis.count());
-    match &axis.values {
-        Values::Range(range) => {
-            let ends = entry.written(format_args!("{} to {}", range.start, range.stop));
+    values(&axis.values, |numbers| axis.entry().written(numbers))
+}
+
+/// Values in words; `written` puts a symbol before the numbers and a unit behind them.
+pub fn values(values: &Values, written: impl Fn(&str) -> String) -> String {
+    let count = values.count();
+    match values {
+        Values::Range(range) if count > 1 => {
+            let ends = written(&format!("{} to {}", range.start, range.stop));
             let log = if range.log { ", logarithmic" } else { "" };
             format!("{ends}, {count} values{log}")
         }
-        Values::List(list) => {
-            let named: Vec<String> = list.iter().take(NAMED).map(f64::to_string).collect();
-            let named = named.join(", ");
-            match count > NAMED {
-                true => {
-                    let ends = format_args!("{named}, ... {}", axis.values.last());
-                    format!("{}, {count} values", entry.written(ends))
-                }
-                false => entry.written(named),
-            }
+        values if count > NAMED => {
+            let named: Vec<String> = values.iter().take(NAMED).map(|one| one.to_string()).collect();
+            let ends = written(&format!("{}, ... {}", named.join(", "), values.last()));
+            format!("{ends}, {count} values")
+        }
+        values => {
+            let named: Vec<String> = values.iter().map(|one| one.to_string()).collect();
+            written(&named.join(", "))
         }
     }
 }

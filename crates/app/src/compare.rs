@@ -161,6 +161,10 @@ impl CompareCommand {
         let scenes = sweep.scenes(settings.devices.len());
         self.motions.refuse_others(&sweep, options)?;
         self.motions.tell_of_scene(&scenes, &say);
+        told::levels(self.levels.as_ref(), im, &say);
+        if let Some(scales) = &self.scales {
+            say.line("factors", topple::scene::words::values(scales, |numbers| numbers.to_string()));
+        }
         self.tell_of_devices(&settings.devices, &scenes, &say)?;
         let times = Times::devices(settings.devices.len());
         let Some(swept) = self.motions.run(sweep, times, options, &say)? else {

@@ -197,6 +197,7 @@ impl FragilityCommand {
         self.motions.refuse_foreign(&place, &self.names(&settings.states))?;
         self.motions.refuse_others(&sweep, options)?;
         self.motions.tell_of_scene(std::slice::from_ref(&sweep.scene), &say);
+        told::levels(self.levels.as_ref(), self.im, &say);
         suite_run::tell_of_base(&sweep, options)?;
         let times = Times::points(settings.times);
         let Some(swept) = self.motions.run(sweep, times, options, &say)? else {

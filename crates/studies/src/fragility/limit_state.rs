@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Serialize, Serializer};
 
-use crate::suites::swept_motion::{SweptMotion, Values};
+use crate::suites::swept_motion::{SweptMotion, Values, as_kept};
 use topple::stepping::outcome::Class;
 
 /// A limit state of a block. A block that overturns does the others, too.
@@ -37,7 +37,7 @@ impl LimitState {
     pub fn is_exceeded(self, motion: &SweptMotion, index: usize) -> bool {
         let class = motion.outcomes[index];
         let beyond = match self.limit() {
-            Some((values, limit)) => f64::from(values(motion)[index]) > limit,
+            Some((values, limit)) => values(motion)[index] > as_kept(limit),
             None => self == LimitState::Uplift && class != Class::FullContact,
         };
         class.overturned() || beyond

@@ -11,7 +11,7 @@ pub use table::{COLUMNS, ZETA_COLUMNS, write, write_zeta};
 
 use super::resample::Groups;
 use super::swept::SuiteSweep;
-use super::swept_motion::{SweptMotion, Values};
+use super::swept_motion::{SweptMotion, Values, as_kept};
 use crate::statistics::{Bootstrap, DrawnGroups, quantile};
 use topple::results::columns::Column;
 use topple::stepping::outcome::Class;
@@ -181,7 +181,9 @@ impl CellEnvelope {
         let standing = share(Class::stands);
         let max_u = of(|motion| &motion.max_u);
         let stroke_v = of(|motion| &motion.stroke_v);
-        let within = |limit: Option<f64>, value: f64| limit.is_none_or(|limit| value <= limit);
+        let within = |limit: Option<f64>, value: f64| {
+            limit.is_none_or(|limit| value <= f64::from(as_kept(limit)))
+        };
         // A sum of weights may be off by its last digits.
         let enough = standing >= limits.standing - 1.0e-9 && standing > 0.0;
         CellEnvelope {
