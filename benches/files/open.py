@@ -12,7 +12,9 @@ out = pathlib.Path(sys.argv[1])
 npz = numpy.load(out / "map.npz")
 zarr = xarray.open_zarr(out / "map.zarr")
 about = json.loads(str(npz["about"]))
-assert {key: zarr.attrs[key] for key in about} == about
+for key, value in about.items():
+    own = zarr.attrs[key]
+    assert (json.loads(own) if isinstance(value, (dict, list)) else own) == value, key
 for name in npz.files:
     if name == "about":
         continue

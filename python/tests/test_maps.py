@@ -175,6 +175,31 @@ def test_what_was_saved_is_drawn_and_run_again(command, records, tmp_path):
     assert len(alone.t) != len(topple.history(object=2, t_h=2.0, t_v=0.5, **pair, progress=False).t)
 
 
+@pytest.mark.parametrize("engine", ["netcdf4", "scipy"])
+def test_every_dataset_goes_into_netcdf(command, records, tmp_path, engine):
+    """What a map in chunks and the results of calls have beside their values can be stored by another format, too."""
+    needs_the_store()
+    pytest.importorskip({"netcdf4": "netCDF4"}.get(engine, engine))
+    import xarray
+
+    scene = PULSE | {"omega": "0.2:15:9", "a_h": "0.1:15:9"}
+    command("pulse", *flags(scene), "--refine", 1, "--files", "zarr", "--verify", "none", "--out", tmp_path / "p")
+    pair = {"horizontal": records / "synthetic_h.at2", "vertical": records / "synthetic_v.at2"}
+    command("seismic", *flags(RECORD | pair), "--files", "zarr", "--verify", "none", "--out", tmp_path / "s")
+    stored = [tmp_path / "p" / "map.zarr", tmp_path / "p" / "leaves.zarr", tmp_path / "s" / "map.zarr"]
+    found = [xarray.open_zarr(place, consolidated=False) for place in stored] + [topple.open(place) for place in stored]
+    found.append(topple.pulse(**scene, backend="cpu", verify=0, sharpness=True))
+    found.append(topple.history(object=1, t_h=1.75, t_v=0.75, omega=6.0, a_h=8.0))
+    for number, ds in enumerate(found):
+        assert all(isinstance(value, (str, int, float)) and not isinstance(value, bool) for value in ds.attrs.values())
+        file = tmp_path / f"{number}.nc"
+        ds.to_netcdf(file, engine=engine)
+        with xarray.open_dataset(file, engine=engine) as back:
+            assert json.loads(back.attrs["scene"])["numbers"]["t_h"], number
+            for name in ds.variables:
+                assert np.array_equal(ds[name].values, back[name].values, equal_nan=ds[name].dtype.kind == "f"), name
+
+
 def test_leaves_of_a_refined_map(command, tmp_path):
     scene = PULSE | {"omega": "0.2:15:17", "a_h": "0.1:15:17"}
     command("pulse", *flags(scene), "--refine", 2, "--backend", "cpu", "--verify", "none", "--out", tmp_path)

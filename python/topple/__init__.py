@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any, Mapping, Sequence
 
 from . import _topple
 from ._accessor import register
-from ._dataset import attributes, dataset, described, of_leaves, of_map, of_run
+from ._dataset import attributes, dataset, described, nested, of_leaves, of_map, of_run
 from ._dataset import Arrays as Arrays
 from ._help import SECTIONS, known, listed
 from ._mat import save_mat as save_mat
@@ -506,7 +506,7 @@ def open(path: str | os.PathLike[str]) -> Any:
 
         register()
         lazy = xarray.open_zarr(place, consolidated=False)
-        lazy.attrs = attributes({**lazy.attrs, **of_run(place)})
+        lazy.attrs = attributes({**nested(lazy.attrs), **of_run(place)})
         return lazy
     if place.suffix != ".npz":
         raise ValueError(f"{place}: give a directory of results, or a map or leaves as .zarr or .npz")

@@ -55,13 +55,32 @@ def flags(names: list[str]) -> dict[str, Any]:
 
 
 def attributes(about: Mapping[str, Any]) -> dict[str, Any]:
-    """What a result is and how it was made; what is nested is JSON, so that every format can store it."""
-    plain = (str, int, float)
+    """What a result is and how it was made; what is nested is JSON and a truth is 1 or 0, so that every format can store it."""
+
+    def plain(value: Any) -> Any:
+        if isinstance(value, bool):
+            return int(value)
+        return value if isinstance(value, (str, int, float)) else json.dumps(value)
+
     return {
-        key: value if isinstance(value, plain) else json.dumps(value)
+        key: plain(value)
         for key, value in about.items()
         if value is not None and key not in ("axes", "columns", "coordinates", "counts", "outcome", "status", "index")
     }
+
+
+def nested(attrs: Mapping[str, Any]) -> dict[str, Any]:
+    """Attributes of a Zarr group: the texts of objects and arrays are these again."""
+
+    def parsed(value: Any) -> Any:
+        if isinstance(value, str) and value.startswith(("{", "[")):
+            try:
+                return json.loads(value)
+            except ValueError:
+                pass
+        return value
+
+    return {key: parsed(value) for key, value in attrs.items()}
 
 
 def of_run(file: Path) -> dict[str, Any]:

@@ -160,13 +160,31 @@ pub fn list_documents(listed: &ListedCells, source: &Source) -> Documents {
     group(arrays, listed.about(source))
 }
 
+/// Attributes that other formats can store, such as NetCDF: what is nested is a text in JSON.
+fn flat(about: Map<String, Value>) -> Map<String, Value> {
+    let one = |value: Value| match value {
+        Value::Object(_) | Value::Array(_) => Value::String(value.to_string()),
+        plain => plain,
+    };
+    about.into_iter().map(|(key, value)| (key, one(value))).collect()
+}
+
+/// The attributes of a group as they were before they were stored: the texts of objects and arrays are these again.
+pub fn nested(attributes: Map<String, Value>) -> Map<String, Value> {
+    let parsed = |text: &str| {
+        text.starts_with(['{', '[']).then(|| serde_json::from_str(text).ok()).flatten()
+    };
+    let one = |value: Value| value.as_str().and_then(parsed).unwrap_or(value);
+    attributes.into_iter().map(|(key, value)| (key, one(value))).collect()
+}
+
 /// The documents of a group of arrays, each with its path: the arrays', and last its own.
 fn group(arrays: Documents, about: Map<String, Value>) -> Documents {
     let consolidated: Map<String, Value> = arrays.iter().cloned().collect();
     let group = json!({
         "zarr_format": 3,
         "node_type": "group",
-        "attributes": about,
+        "attributes": flat(about),
         "consolidated_metadata": {
             "kind": "inline",
             "must_understand": false,
@@ -194,4 +212,27 @@ pub fn columns(asked: ColumnSet) -> impl Iterator<Item = (&'static str, Column)>
     let others = asked.held().entries().filter(|entry| entry.column != Column::Status);
     let others = others.map(|entry| (entry.name, entry.column));
     others.chain([(PROVED, Column::Status), (Column::Status.entry().name, Column::Status)])
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use super::{flat, nested};
+
+    #[test]
+    fn attributes_are_texts_and_numbers_and_come_back() {
+        let Value::Object(about) = json!({
+            "scene": { "title": "{no JSON", "numbers": { "t_h": 2.5 } },
+            "index": ["t_h", "omega"],
+            "version": "0.1.0",
+            "other": "{no JSON",
+            "count": 3,
+        }) else {
+            panic!("an object")
+        };
+        let stored = flat(about.clone());
+        assert!(stored.values().all(|value| value.is_string() || value.is_number()), "{stored:?}");
+        assert_eq!(nested(stored), about);
+    }
 }

@@ -173,6 +173,7 @@ impl SceneBuilder {
         &self,
         excitation: impl FnOnce() -> Result<Excitation, SceneError>,
     ) -> Result<Scene, SceneError> {
+        check::title(self.title.as_deref().unwrap_or_default())?;
         check::numbers(&self.numbers, self.force)?;
         let directions = self.isolation.unwrap_or(Directions::Dual);
         let mut numbers = self.numbers.clone();

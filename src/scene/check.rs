@@ -6,10 +6,24 @@ use super::excitation::Excitation;
 use super::grid::AXES;
 use super::numbers::Numbers;
 use super::parameters::{ACCEPTED, ALTERNATIVES, Entry, Parameter};
-use super::{Grid, Scene, SceneError, Values};
+use super::{Grid, LONGEST_TITLE, Scene, SceneError, Values};
 
 /// Most cells of a grid.
 const MOST_CELLS: usize = 1 << 40;
+
+/// Checks that a title has an end.
+///
+/// # Errors
+/// The key `title`.
+pub fn title(title: &str) -> Result<(), SceneError> {
+    match title.chars().nth(LONGEST_TITLE) {
+        Some(_) => {
+            let problem = format!("has more than {LONGEST_TITLE} letters; give a shorter one");
+            Err(SceneError::new("title", problem))
+        }
+        None => Ok(()),
+    }
+}
 
 /// Checks every number by itself; `force` accepts what is improbable.
 ///

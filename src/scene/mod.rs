@@ -49,6 +49,9 @@ pub use values::Values;
 /// The parameters that are the first axes, in this order, wherever they are given.
 pub const FIRST: [Parameter; 4] = [Parameter::Omega, Parameter::AH, Parameter::TH, Parameter::TV];
 
+/// Most letters of a title.
+pub const LONGEST_TITLE: usize = 10_000;
+
 /// g, m/s^2.
 pub const GRAVITY: f64 = 9.81;
 

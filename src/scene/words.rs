@@ -1,7 +1,37 @@
 //! What a scene is, in words: for captions, and for what a command says.
 
+use super::grid::Axis;
 use super::parameters::{Caption, Entry, PARAMETERS};
-use super::{Directions, GRAVITY, Overturn, Parameter, Scene};
+use super::{Directions, GRAVITY, Overturn, Parameter, Scene, Values};
+
+/// Most values of a list that are named.
+const NAMED: usize = 8;
+
+/// The values of an axis: `T_h = 1, 5 s`, or `T_h = 0.5 to 4 s, 400 values`.
+pub fn axis(axis: &Axis) -> String {
+    values(&axis.values, |numbers| axis.entry().written(numbers))
+}
+
+/// Values in words; `written` puts a symbol before the numbers and a unit behind them.
+pub fn values(values: &Values, written: impl Fn(&str) -> String) -> String {
+    let count = values.count();
+    match values {
+        Values::Range(range) if count > 1 => {
+            let ends = written(&format!("{} to {}", range.start, range.stop));
+            let log = if range.log { ", logarithmic" } else { "" };
+            format!("{ends}, {count} values{log}")
+        }
+        values if count > NAMED => {
+            let named: Vec<String> = values.iter().take(NAMED).map(|one| one.to_string()).collect();
+            let ends = written(&format!("{}, ... {}", named.join(", "), values.last()));
+            format!("{ends}, {count} values")
+        }
+        values => {
+            let named: Vec<String> = values.iter().map(|one| one.to_string()).collect();
+            written(&named.join(", "))
+        }
+    }
+}
 
 /// The parameters of a scene that its axes do not show, without its record's.
 pub fn fixed(scene: &Scene) -> Vec<String> {
@@ -74,4 +104,26 @@ pub fn parameters(scene: &Scene) -> Vec<String> {
 /// The same in one line.
 pub fn line(scene: &Scene) -> String {
     parameters(scene).join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::axis;
+    use crate::scene::Parameter;
+    use crate::scene::grid::Axis;
+
+    #[test]
+    fn an_axis_has_its_values_and_its_unit() {
+        for (values, said) in [
+            ("1,5", "T_h = 1, 5 s"),
+            ("0.5:4:400", "T_h = 0.5 to 4 s, 400 values"),
+            ("0.5:4:400:log", "T_h = 0.5 to 4 s, 400 values, logarithmic"),
+            ("9,8,7,6,5,4,3,2,1", "T_h = 9, 8, 7, 6, 5, 4, 3, 2, ... 1 s, 9 values"),
+        ] {
+            let values = values.parse().unwrap();
+            assert_eq!(axis(&Axis { parameter: Parameter::TH, values }), said);
+        }
+        let values = "-0.1,0.1".parse().unwrap();
+        assert_eq!(axis(&Axis { parameter: Parameter::Eccentricity, values }), "ε = -0.1, 0.1");
+    }
 }

@@ -17,6 +17,7 @@ use crate::backend::backend_error::BackendError;
 use crate::backend::ready::Backend;
 use crate::backend::report::{Report, threads};
 use crate::backend::request::OpenBackends;
+use crate::cells::contact::full_contact;
 use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::results::about::Source;
@@ -197,6 +198,11 @@ impl Job {
     /// Bytes that the columns of a given number of cells take in memory.
     pub fn bytes(&self, cells: usize) -> u64 {
         cells as u64 * bytes_a_cell(self.columns()) as u64
+    }
+
+    /// Bytes of the motions in full contact that its cells share.
+    pub fn bytes_shared(&self) -> usize {
+        full_contact::bytes_shared(&self.plan, &self.grid, self.method().precision)
     }
 
     /// True where the map is held in memory until it is written.

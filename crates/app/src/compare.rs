@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use topple::results::earlier::Kind;
 use topple::scene::record::text::decoded;
-use topple::scene::{Grid, Parameter, Scene, Values, bounded, path_text};
+use topple::scene::{Grid, Parameter, Scene, Values, path_text};
 use topple_pictures::drawing::render;
 use topple_pictures::studies::comparison as picture;
 use topple_studies::comparison::{
@@ -21,7 +21,7 @@ use super::errors::sweep_error;
 use super::fragility_words as told;
 use super::further::FurtherFlags;
 use super::hazard::HazardFlags;
-use super::inputs::{self, Inputs};
+use super::inputs::{self, InputReader, Inputs};
 use super::limits::{IntervalFlags, LimitFlags};
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, RunOptions, flag_error};
@@ -115,6 +115,8 @@ struct Of<'a> {
 /// The table, and the name of the picture.
 const TABLE: &str = "compare.csv";
 const PICTURE: &str = "compare";
+/// What to do about a list that cannot be read.
+const READABLE: &str = "give a list of devices (CSV) that can be read";
 /// Largest list that is read, bytes.
 const LARGEST: u64 = 1 << 20;
 
@@ -125,15 +127,11 @@ impl CompareCommand {
         let print = options.pictures.print().map_err(InputError)?;
         let place = Place::of(&options.out, Kind::Comparison)?;
         let im = self.im.unwrap_or(Intensity::Pga);
-        let hazard = self.hazard.read(im)?;
+        let mut inputs = self.motions.inputs();
+        let hazard = self.hazard.read(im, &mut inputs)?;
         let text = self.common.text(None, self.record.placed());
         let request = self.motions.request(&self.common, options, text)?;
-        let list = self.read(&request.scene)?;
-        // Before the sweep: who changes a file meanwhile has not changed what was read.
-        let inputs = inputs::of(&[
-            (inputs::DEVICES, Some(&self.devices)),
-            (inputs::HAZARD, self.hazard.path()),
-        ]);
+        let list = self.read(&request.scene, &mut inputs)?;
         let limits = self.limits.limits();
         let rate = hazard.as_ref().map(|hazard| RateRequest {
             im,
@@ -163,6 +161,13 @@ impl CompareCommand {
         let scenes = sweep.scenes(settings.devices.len());
         self.motions.refuse_others(&sweep, options)?;
         self.motions.tell_of_scene(&scenes, &say);
+        told::levels(self.levels.as_ref(), im, &say);
+        if let Some(scales) = &self.scales {
+            say.line(
+                "factors",
+                topple::scene::words::values(scales, |numbers| numbers.to_string()),
+            );
+        }
         self.tell_of_devices(&settings.devices, &scenes, &say)?;
         let times = Times::devices(settings.devices.len());
         let Some(swept) = self.motions.run(sweep, times, options, &say)? else {
@@ -220,7 +225,7 @@ impl CompareCommand {
             hazard: self.hazard.path(),
             hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
             hazard_curve: hazard.as_ref().map(|hazard| hazard.curve.points()),
-            inputs,
+            inputs: inputs.checksums(),
             verified: &compared.sweep.verified,
         };
         compare_words::warn_of_model(&compared);
@@ -240,13 +245,15 @@ impl CompareCommand {
     }
 
     /// Reads the list.
-    fn read(&self, shared: &topple::SceneBuilder) -> Result<Vec<Device>, InputError> {
-        let unread = |error: String| {
-            let path = self.devices.display();
-            InputError(format!("{path}: {error}; give a list of devices (CSV) that can be read"))
-        };
-        let bytes = bounded::read(&self.devices, LARGEST).map_err(|e| unread(e.to_string()))?;
-        let text = decoded(&bytes).map_err(|e| unread(e.to_string()))?;
+    fn read(
+        &self,
+        shared: &topple::SceneBuilder,
+        inputs: &mut InputReader,
+    ) -> Result<Vec<Device>, InputError> {
+        let bytes = inputs.read(inputs::DEVICES, &self.devices, (LARGEST, READABLE))?;
+        let text = decoded(&bytes).map_err(|error| {
+            InputError(format!("{}: {error}; {READABLE}", self.devices.display()))
+        })?;
         devices::read(&text, shared).map_err(|error| self.refused(error.into()))
     }
 

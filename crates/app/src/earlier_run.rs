@@ -6,6 +6,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 use serde::de::{DeserializeOwned, IgnoredAny};
+use serde_json::{Map, Value};
 use topple::results::earlier::{Kind, RUN};
 use topple::results::store::IDENTITY;
 use topple::results::{npz, shard, zarr};
@@ -87,8 +88,8 @@ pub fn at(path: &Path) -> Option<Result<EarlierRun, String>> {
     let folder = if inside { path } else { path.parent().unwrap_or(Path::new("")) };
     let read = if is_zarr {
         text_of(&path.join(zarr::DOCUMENT)).and_then(|text| {
-            let group: Group = parsed(&text)?;
-            Ok(group.attributes)
+            let Group { attributes } = parsed(&text)?;
+            parsed::<Written>(&Value::Object(zarr::nested(attributes)).to_string())
         })
     } else if path.is_dir() {
         let inside = path.join(RUN);
@@ -125,7 +126,7 @@ fn holds_shards(path: &Path) -> bool {
 /// The document of a Zarr group.
 #[derive(Deserialize)]
 struct Group {
-    attributes: Written,
+    attributes: Map<String, Value>,
 }
 
 fn ends_in(path: &Path, ending: &str) -> bool {
@@ -144,18 +145,12 @@ fn parsed<T: DeserializeOwned>(text: &str) -> Result<T, String> {
         kind: Option<Kind>,
         /// Columns that leaves have in the place of a grid.
         counts: Option<IgnoredAny>,
-        /// Where a Zarr group has them.
-        attributes: Option<Attributes>,
     }
-    #[derive(Deserialize)]
-    struct Attributes {
-        counts: Option<IgnoredAny>,
-    }
-    if let Ok(Of { kind, counts, attributes }) = serde_json::from_str(text) {
+    if let Ok(Of { kind, counts }) = serde_json::from_str(text) {
         if let Some(problem) = kind.and_then(not_of_a_scene) {
             return Err(problem.into());
         }
-        if counts.or(attributes.and_then(|of| of.counts)).is_some() {
+        if counts.is_some() {
             return Err(format!("leaves of a refined map; give the {RUN} beside them"));
         }
     }

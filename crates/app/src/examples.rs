@@ -1,4 +1,4 @@
-//! Examples in the help of each command. A test parses each line.
+//! Examples in the help of each command. A test parses each of them, and measures their lines.
 
 /// What the values of a number are, for commands that make maps.
 macro_rules! values {
@@ -16,9 +16,11 @@ of its range is refused; --force accepts implausible values.
 pub const TOPPLE: &str = "\
 Examples:
   topple                                       the default map, into ./topple-out
-  topple pulse --object 1 --t-h 1.75 --t-v 0.75 --omega 0.2:15:400 --a-h 0.1:15:400 --out map
+  topple pulse --object 1 --t-h 1.75 --t-v 0.75 --omega 0.2:15:400 \\
+    --a-h 0.1:15:400 --out map
   topple seismic --object 1 --t-h 0.5:4:200 --t-v 0.02:2:200 --out record
-  topple history --object 1 --t-h 1.75 --t-v 0.75 --omega 9 --a-h 8.4 --out cell
+  topple history --object 1 --t-h 1.75 --t-v 0.75 --omega 9 --a-h 8.4 \\
+    --out cell
   topple scene                                 a scene file to start from";
 
 /// Of `topple pulse`.
@@ -27,16 +29,22 @@ pub const PULSE: &str = concat!(
     "\
 Examples:
   A map over the pulse's frequency and amplitude:
-    topple pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --omega 0.2:15:400 --a-h 0.1:15:400
+    topple pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 \\
+      --omega 0.2:15:400 --a-h 0.1:15:400
   Over the eccentricity and the period of the base, for one pulse:
-    topple pulse --object 2 --eccentricity -0.6:0.6:200 --t-h 0.5:4:200 --t-v 0.5 --omega 6 --a-h 5
+    topple pulse --object 2 --eccentricity -0.6:0.6:200 --t-h 0.5:4:200 \\
+      --t-v 0.5 --omega 6 --a-h 5
   Your own block on the ground, a curve along the amplitude:
-    topple pulse --half-width 0.3 --height 1.2 --isolation none --pulse ricker --omega 5 --a-h 1:10:500
+    topple pulse --half-width 0.3 --height 1.2 --isolation none \\
+      --pulse ricker --omega 5 --a-h 1:10:500
   Probabilities if the eccentricity and the damping are not known exactly, from 256 samples:
-    topple pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --omega 0.2:15:200 --a-h 0.1:15:200 \
---vary eccentricity=normal(0.2,0.02) --vary xi-h=lognormal(0.05,0.3) --samples 256
+    topple pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 \\
+      --omega 0.2:15:200 --a-h 0.1:15:200 \\
+      --vary 'eccentricity=normal(0.2,0.02)' \\
+      --vary 'xi-h=lognormal(0.05,0.3)' --samples 256
   The time and the disk that a large map needs:
-    topple pulse --object 1 --t-h 1.75 --t-v 0.75 --omega 0.2:15:8192 --a-h 0.1:15:8192 --dry-run"
+    topple pulse --object 1 --t-h 1.75 --t-v 0.75 --omega 0.2:15:8192 \\
+      --a-h 0.1:15:8192 --dry-run"
 );
 
 /// Of `topple seismic`.
@@ -47,23 +55,26 @@ Examples:
   A map over both periods of the base under the synthetic pair of records:
     topple seismic --object 1 --t-h 0.5:4:200 --t-v 0.02:2:200
   Under your own records, scaled to a horizontal peak of 5 m/s²:
-    topple seismic --object 1 --horizontal H.AT2 --vertical UP.AT2 --pga 5 --t-h 0.5:4:200 --t-v 0.02:2:200
+    topple seismic --object 1 --horizontal H.AT2 --vertical UP.AT2 --pga 5 \\
+      --t-h 0.5:4:200 --t-v 0.02:2:200
   Where rocking is chaotic: the probability in each pixel instead of one outcome:
     topple seismic --object 1 --t-h 1.6:1.95:60 --t-v 0.1:0.16:60 --pixel
   How sharp the boundaries of that map are:
     topple seismic --object 1 --t-h 1.6:1.95:150 --t-v 0.1:0.16:150 --sharpness
   A column of numbers, horizontal isolation alone, over its period and the eccentricity:
-    topple seismic --object 3 --horizontal a.txt --dt 0.01 --units g --isolation horizontal --t-h 0.5:4:200 \
---eccentricity 0:0.6:100"
+    topple seismic --object 3 --horizontal a.txt --dt 0.01 --units g \\
+      --isolation horizontal --t-h 0.5:4:200 --eccentricity 0:0.6:100"
 );
 
 /// Of `topple history`.
 pub const HISTORY: &str = "\
 Examples:
   Under a pulse:
-    topple history --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --omega 9 --a-h 8.4 --out cell
+    topple history --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 \\
+      --omega 9 --a-h 8.4 --out cell
   Under a record, by the reference:
-    topple history --object 1 --horizontal H.AT2 --t-h 2 --t-v 0.1 --backend reference --out cell";
+    topple history --object 1 --horizontal H.AT2 --t-h 2 --t-v 0.1 \\
+      --backend reference --out cell";
 
 /// Of `topple run`.
 pub const RUN: &str = "\
@@ -95,25 +106,28 @@ Examples:
 pub const ENVELOPE: &str = "\
 Examples:
   Which periods keep a statue standing under all records of a folder, with 40 cm of room and 5 cm up and down:
-    topple envelope --object 1 --u-y 0.01 --t-h 0.5:5:60 --t-v 0.05:1:60 --suite records --limit-u 0.4 --limit-v 0.05
+    topple envelope --object 1 --u-y 0.01 --t-h 0.5:5:60 --t-v 0.05:1:60 \\
+      --suite records --limit-u 0.4 --limit-v 0.05
   Under 95 % of them, each in both directions:
-    topple envelope --object 1 --u-y 0.01 --t-h 0.5:5:60 --t-v 0.05:1:60 --suite records --standing 0.95 \
---both-directions
+    topple envelope --object 1 --u-y 0.01 --t-h 0.5:5:60 --t-v 0.05:1:60 \\
+      --suite records --standing 0.95 --both-directions
   How likely a statue overturns if its centre of mass is not known exactly:
-    topple envelope --object 1 --u-y 0.01 --t-h 2 --t-v 0.5 --suite records --eccentricity 0.1 \
---vary eccentricity=normal(0.1,0.05)";
+    topple envelope --object 1 --u-y 0.01 --t-h 2 --t-v 0.5 --suite records \\
+      --eccentricity 0.1 --vary 'eccentricity=normal(0.1,0.05)'";
 
 /// Of `topple fragility`.
 pub const FRAGILITY: &str = "\
 Examples:
   How likely a statue on a dual isolation overturns, by the largest acceleration of the ground:
-    topple fragility --object 1 --u-y 0.01 --t-h 2 --t-v 0.5 --suite records --levels 0.5:20:20:log
+    topple fragility --object 1 --u-y 0.01 --t-h 2 --t-v 0.5 --suite records \\
+      --levels 0.5:20:20:log
   Its annual rate at a site, and the periods at which it is below 1 in 2500 years:
-    topple fragility --object 1 --u-y 0.01 --t-h 0.5:5:30 --t-v 0.05:1:30 --suite records --im sa:1 \
---levels 0.5:20:20:log --hazard site.csv --hazard-units g --target 0.0004
+    topple fragility --object 1 --u-y 0.01 --t-h 0.5:5:30 --t-v 0.05:1:30 \\
+      --suite records --im sa:1 --levels 0.5:20:20:log --hazard site.csv \\
+      --hazard-units g --target 0.0004
   Its curves for OpenQuake and pelicun, intervals by recording:
-    topple fragility --object 1 --u-y 0.01 --t-h 2 --t-v 0.5 --suite records --levels 0.5:20:20:log \
---resample recording --export nrml,pelicun";
+    topple fragility --object 1 --u-y 0.01 --t-h 2 --t-v 0.5 --suite records \\
+      --levels 0.5:20:20:log --resample recording --export nrml,pelicun";
 
 /// Of `topple report`.
 pub const REPORT: &str = "\
@@ -130,12 +144,14 @@ object. Each line is a device with one value of each key; an empty field is igno
 
 Examples:
   A statue on the bases of a list, with 25 cm of room and 3 cm up and down:
-    topple compare devices.csv --object 1 --suite records --limit-u 0.25 --limit-v 0.03
+    topple compare devices.csv --object 1 --suite records --limit-u 0.25 \\
+      --limit-v 0.03
   How much stronger the motions may be, each in both directions:
-    topple compare devices.csv --object 1 --suite records --limit-u 0.25 --scales 0.5:3:26 --both-directions
+    topple compare devices.csv --object 1 --suite records --limit-u 0.25 \\
+      --scales 0.5:3:26 --both-directions
   Annual rates of overturning at a site:
-    topple compare devices.csv --object 1 --suite records --im sa:1 --levels 0.5:20:20:log --hazard site.csv \
---hazard-units g";
+    topple compare devices.csv --object 1 --suite records --im sa:1 \\
+      --levels 0.5:20:20:log --hazard site.csv --hazard-units g";
 
 /// Of `topple merge`.
 pub const MERGE: &str = "\
@@ -178,29 +194,79 @@ Examples:
 
 #[cfg(test)]
 mod tests {
-    use clap::{CommandFactory, Parser};
+    use clap::{Command, CommandFactory, Parser};
 
     use super::super::Arguments;
 
+    /// The commands of a help: a line that ends with a backslash goes on.
+    fn commands(help: &str) -> Vec<String> {
+        let (_, examples) = help.split_once("Examples:").unwrap_or_default();
+        let joined = examples.replace("\\\n", " ");
+        // What it does stands after it where there is room.
+        let command =
+            |line: &str| line.trim().split("     ").next().unwrap_or_default().to_string();
+        let commands = joined.lines().map(command);
+        commands.filter(|line| line == "topple" || line.starts_with("topple ")).collect()
+    }
+
     #[test]
-    fn every_example_is_a_command() {
-        let mut whole = Arguments::command();
-        let mut helps = vec![whole.render_long_help().to_string()];
-        helps.extend(whole.get_subcommands_mut().map(|own| own.render_long_help().to_string()));
+    fn every_example_is_a_command_that_a_shell_takes() {
+        let whole = Arguments::command();
+        let of = |own: &Command| own.get_after_help().map(ToString::to_string).unwrap_or_default();
+        let helps = std::iter::once(&whole).chain(whole.get_subcommands()).map(of);
         let mut count = 0;
-        for help in &helps {
-            let Some((_, examples)) = help.split_once("Examples:") else { continue };
-            for line in examples.lines() {
-                // What it does stands after it where there is room.
-                let command = line.trim().split("   ").next().unwrap_or_default();
-                if command == "topple" || command.starts_with("topple ") {
-                    let parsed = Arguments::try_parse_from(command.split_whitespace());
-                    assert!(parsed.is_ok(), "{command}: {}", parsed.err().unwrap());
-                    count += 1;
+        for command in helps.flat_map(|help| commands(&help)) {
+            // Outside of quotes no letter means something to a shell; within them all are as they stand.
+            let plain = command.split('\'').step_by(2);
+            assert!(
+                !plain.clone().any(|part| part.contains(['(', '*', '?', '[', '$'])),
+                "{command}"
+            );
+            let words = command.split_whitespace().map(|word| word.trim_matches('\''));
+            let parsed = Arguments::try_parse_from(words);
+            assert!(parsed.is_ok(), "{command}: {}", parsed.err().unwrap());
+            count += 1;
+        }
+        assert!(count > 30, "{count} examples");
+    }
+
+    #[test]
+    fn no_line_of_a_help_is_wider_than_the_terminal() {
+        for width in [60, 80, 132] {
+            let mut whole = Arguments::command().term_width(width);
+            whole.build();
+            let mut all = vec![whole.clone()];
+            all.extend(whole.get_subcommands().cloned());
+            for mut own in all {
+                let helps = [own.render_help(), own.render_long_help()];
+                for help in helps.map(|help| help.to_string()) {
+                    let wide = help.lines().find(|line| line.chars().count() > width);
+                    assert_eq!(wide, None, "{} {width}", own.get_name());
                 }
             }
         }
-        assert!(count > 15, "{count} examples");
+    }
+
+    #[test]
+    fn flags_stand_under_the_heading_of_what_they_do() {
+        let whole = Arguments::command();
+        let of = |own: &Command, flag: &str| {
+            let flag = own.get_arguments().find(|arg| arg.get_long() == Some(flag)).cloned();
+            flag.and_then(|flag| flag.get_help_heading().map(String::from))
+        };
+        for name in ["pulse", "seismic", "envelope", "fragility", "compare"] {
+            let own = whole.find_subcommand(name).unwrap();
+            for flag in ["resume", "tile", "verify", "dry-run"] {
+                assert_eq!(of(own, flag).as_deref(), Some("Computing"), "{name} --{flag}");
+            }
+            assert_eq!(of(own, "title").as_deref(), Some("Pictures"), "{name}");
+        }
+        // Without other headings around they are options.
+        assert_eq!(of(&whole, "resume"), None);
+        assert_eq!(
+            of(whole.find_subcommand("history").unwrap(), "columns").as_deref(),
+            Some("Computing")
+        );
     }
 
     #[test]

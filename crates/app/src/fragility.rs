@@ -25,7 +25,7 @@ use topple_studies::uncertain::{SAMPLES, Varied};
 use super::errors::sweep_error;
 use super::fragility_words as told;
 use super::hazard::HazardFlags;
-use super::inputs::{self, Inputs};
+use super::inputs::Inputs;
 use super::limits::IntervalFlags;
 use super::map_files::Figure;
 use super::named::{estimator, export};
@@ -174,9 +174,8 @@ impl FragilityCommand {
         let options = &self.options;
         let print = options.pictures.print().map_err(InputError)?;
         let place = Place::of(&options.out, Kind::Fragility)?;
-        let hazard = self.hazard.read(self.im)?;
-        // Before the sweep: who changes the file meanwhile has not changed what was read.
-        let inputs = inputs::of(&[(inputs::HAZARD, self.hazard.path())]);
+        let mut inputs = self.motions.inputs();
+        let hazard = self.hazard.read(self.im, &mut inputs)?;
         let text = self.common.text(Some("Fragility"), self.record.placed());
         let request = self.motions.request(&self.common, options, text)?;
         let request = self.request(request, hazard.as_ref());
@@ -199,6 +198,7 @@ impl FragilityCommand {
         self.motions.refuse_foreign(&place, &self.names(&settings.states))?;
         self.motions.refuse_others(&sweep, options)?;
         self.motions.tell_of_scene(std::slice::from_ref(&sweep.scene), &say);
+        told::levels(self.levels.as_ref(), self.im, &say);
         suite_run::tell_of_base(&sweep, options)?;
         let times = Times::points(settings.times);
         let Some(swept) = self.motions.run(sweep, times, options, &say)? else {
@@ -266,7 +266,7 @@ impl FragilityCommand {
             hazard: self.hazard.path(),
             hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
             hazard_curve: hazard.as_ref().map(|hazard| hazard.curve.points()),
-            inputs,
+            inputs: inputs.checksums(),
             target: self.target,
             unresolved: study.cells.iter().map(|cell| cell.unresolved).sum(),
             notes: told::notes(&study),

@@ -39,6 +39,14 @@ pub fn unit(im: Intensity) -> String {
     if im.unit() == "1" { String::new() } else { format!(" {}", im.unit()) }
 }
 
+/// Says at which levels the motions are swept, where some are given.
+pub fn levels(levels: Option<&Values>, im: Intensity, say: &Reporter) {
+    if let Some(levels) = levels {
+        let written = |numbers: &str| format!("{} = {numbers}{}", im.symbol(), unit(im));
+        say.line("levels", topple::scene::words::values(levels, written));
+    }
+}
+
 /// What stands beside a curve of a single cell: why it is open, or that there is none.
 pub fn notes(study: &Study) -> Vec<String> {
     let [cell] = &study.cells[..] else { return Vec::new() };

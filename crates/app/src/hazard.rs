@@ -7,9 +7,9 @@ use topple::scene::record::Units;
 use topple_studies::fragility::{HazardText, hazard, hazard_text};
 use topple_studies::suites::intensity::Intensity;
 
-use super::InputError;
-use super::words;
+use super::inputs::{self, InputReader};
 use super::written::one_of;
+use super::{InputError, words};
 
 /// The flags of the hazard curve.
 #[derive(clap::Args)]
@@ -37,12 +37,16 @@ impl HazardFlags {
     ///
     /// # Errors
     /// What is wrong with the file, and what to do.
-    pub fn read(&self, im: Intensity) -> Result<Option<HazardText>, InputError> {
+    pub fn read(
+        &self,
+        im: Intensity,
+        inputs: &mut InputReader,
+    ) -> Result<Option<HazardText>, InputError> {
         let Some(path) = self.path() else { return Ok(None) };
         let named =
             |problem: String| InputError(format!("--hazard: {}: {problem}", path.display()));
-        let bytes = bounded::read(path, hazard::LARGEST)
-            .map_err(|e| named(format!("{e}; give a file that can be read")))?;
+        let most = (hazard::LARGEST, "give a file that can be read");
+        let bytes = inputs.read(inputs::HAZARD, path, most)?;
         let read = hazard_text::of_bytes(&bytes, im, self.hazard_units);
         let read = read.map_err(|error| named(error.to_string()))?;
         if read.assumed {

@@ -46,7 +46,7 @@ pub struct HistoryCommand {
     scale: RecordNumbers,
     /// Further columns of history.csv, or all of them: ground_h, ground_v, acc_plate, acc_plate_v, acc_block, acc_block_v
     /// (m/s², absolute, without gravity), n, s (contact forces, N), base_load (vertical force that the base carries, N)
-    #[arg(long, value_name = "NAME,...")]
+    #[arg(long, value_name = "NAME,...", help_heading = "Computing")]
     columns: Option<MoreColumns>,
     #[command(flatten, next_help_heading = "Computing")]
     options: RunOptions,

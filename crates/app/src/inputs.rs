@@ -5,7 +5,6 @@ use std::path::Path;
 
 use topple::scene::bounded;
 use topple::scene::record::sha256;
-use topple_studies::fragility::hazard;
 
 use super::InputError;
 
@@ -21,28 +20,46 @@ pub const PUT_BACK: &str =
 /// SHA-256 of the files, in hexadecimal digits, by the flags that name them.
 pub type Inputs = BTreeMap<String, String>;
 
-/// Those of a run; a file that cannot be read is not among them, and has been refused before.
-pub fn of(files: &[(&str, Option<&Path>)]) -> Inputs {
-    let named = files.iter().filter_map(|(flag, path)| Some((*flag, (*path)?)));
-    named.filter_map(|(flag, path)| Some((flag.to_string(), checksum(path)?))).collect()
+/// Reads each file once, so that the checksum is of the bytes that are parsed: a pipe has no others, and a file may change.
+pub struct InputReader<'a> {
+    /// Those of the run that is repeated.
+    earlier: Option<&'a Inputs>,
+    read: Inputs,
 }
 
-fn checksum(path: &Path) -> Option<String> {
-    // No list of devices is larger than the largest hazard curve.
-    let bytes = bounded::read(path, hazard::LARGEST).ok()?;
-    Some(sha256(&bytes))
-}
+impl<'a> InputReader<'a> {
+    /// A reader that refuses other files than those of an earlier run. A run that tells no checksum has none to compare.
+    pub fn new(earlier: Option<&'a Inputs>) -> InputReader<'a> {
+        InputReader { earlier, read: Inputs::new() }
+    }
 
-/// Refuses a file that is not the one that an earlier run has read. A run that tells no checksum has none to compare.
-///
-/// # Errors
-/// What has changed, and what to do.
-pub fn unchanged(flag: &str, path: &Path, earlier: &Inputs) -> Result<(), InputError> {
-    match earlier.get(flag) {
-        Some(before) if checksum(path).as_ref() != Some(before) => Err(InputError(format!(
-            "{flag}: {} has changed since the run; {PUT_BACK}",
-            path.display()
-        ))),
-        _ => Ok(()),
+    /// The bytes of a file of `most` bytes at most.
+    ///
+    /// # Errors
+    /// That it cannot be read, with the remedy; that it has changed since the earlier run.
+    pub fn read(
+        &mut self,
+        flag: &str,
+        path: &Path,
+        (most, remedy): (u64, &str),
+    ) -> Result<Vec<u8>, InputError> {
+        let shown = path.display();
+        let bytes = bounded::read(path, most).map_err(|error| {
+            let flag = if flag.starts_with('-') { format!("{flag}: ") } else { String::new() };
+            InputError(format!("{flag}{shown}: {error}; {remedy}"))
+        })?;
+        let own = sha256(&bytes);
+        let before = self.earlier.and_then(|earlier| earlier.get(flag));
+        if before.is_some_and(|before| *before != own) {
+            let problem = format!("{flag}: {shown} has changed since the run; {PUT_BACK}");
+            return Err(InputError(problem));
+        }
+        self.read.insert(flag.into(), own);
+        Ok(bytes)
+    }
+
+    /// The checksums of what was read.
+    pub fn checksums(self) -> Inputs {
+        self.read
     }
 }

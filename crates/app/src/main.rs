@@ -66,6 +66,7 @@ mod written;
 
 use std::process::ExitCode;
 
+use clap::error::ErrorKind;
 use clap::{CommandFactory, Parser, Subcommand};
 use errors::Interrupted;
 use interrupt::STATUS as INTERRUPTED;
@@ -176,14 +177,20 @@ fn run() -> anyhow::Result<()> {
 
 /// A parser's message on one line, without its usage.
 fn one_line(error: &clap::Error) -> String {
+    if error.kind() == ErrorKind::InvalidUtf8 {
+        let words = std::env::args_os().skip(1);
+        let wrong = words.filter(|word| word.to_str().is_none());
+        let wrong: Vec<String> = wrong.map(|word| format!("'{}'", word.display())).collect();
+        return format!("{}: no text in UTF-8; give words in UTF-8", wrong.join(", "));
+    }
     let text = error.render().to_string();
     let said = text.split("Usage:").next().unwrap_or_default();
     let said = said.split("For more information").next().unwrap_or_default();
     let words: Vec<&str> = said.split_whitespace().collect();
     let line = words.join(" ").replace(" tip: ", "; ");
     let line = line.strip_prefix("error: ").unwrap_or(&line);
-    let command =
-        std::env::args().nth(1).filter(|name| Arguments::command().find_subcommand(name).is_some());
+    let first = std::env::args_os().nth(1).and_then(|word| word.into_string().ok());
+    let command = first.filter(|name| Arguments::command().find_subcommand(name).is_some());
     let command = command.map(|name| format!(" {name}")).unwrap_or_default();
     format!("{line}; see topple{command} --help")
 }

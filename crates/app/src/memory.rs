@@ -17,8 +17,8 @@ const BYTES_A_CELL: usize = size_of::<Outcome>() + 40;
 const MOST_HELD: usize = 1 << 24;
 /// Batches that there are at once: one that a worker runs, and those that are saved or wait for it.
 const BATCHES: usize = 5;
-/// Memory that the motions in full contact may take, bytes.
-const MOTIONS: usize = 512 << 20;
+/// Memory that the program takes without a map, bytes.
+const PROGRAM: usize = 48 << 20;
 
 /// Memory that so many cells of a batch take, bytes.
 pub fn of_cells(cells: usize) -> u64 {
@@ -37,7 +37,8 @@ pub fn for_columns(scene: &Scene, precision: Precision) -> u64 {
 }
 
 /// Most memory that a run takes, bytes: that of a map's columns if it is held in memory, or else of what
-/// is drawn of it, unless it is a shard; and of the batches at work, twice where each cell runs twice.
+/// is drawn of it, unless it is a shard; of the batches at work, twice where each cell runs twice; and of the motions that cells
+/// share.
 pub fn of_run(job: &Job, (shard, twice): (bool, bool)) -> u64 {
     let runs = if twice { 2 } else { 1 };
     let batches = BATCHES * job.backends().iter().map(Backend::batch).sum::<usize>() * runs;
@@ -49,7 +50,8 @@ pub fn of_run(job: &Job, (shard, twice): (bool, bool)) -> u64 {
         false if job.bytes(grid.len()) <= most => job.bytes(grid.len()),
         false => of_cells(columns.min(DRAWN) * rows.min(DRAWN)),
     };
-    kept + of_cells(batches.min(grid.len())) + MOTIONS as u64
+    let shared = (job.bytes_shared() + PROGRAM) as u64;
+    kept + of_cells(batches.min(grid.len())) + shared
 }
 
 /// Memory that is free, bytes; zero where the machine does not tell.

@@ -2,34 +2,37 @@
 
 use serde::{Deserialize, Serialize};
 use topple::results::print_palette::Palette;
+use topple::scene::LONGEST_TITLE;
 use topple_pictures::drawing::print::{Print, PrintError};
 
 use super::number_text::number;
 use super::written::one_of;
 
+/// The heading of the flags: each has it of its own, so that what follows them does not.
+const HEADING: &str = "Pictures";
+
 /// How pictures are printed: the flags, and what run.json says of them.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, clap::Args)]
-#[command(next_help_heading = "Pictures")]
 #[serde(default)]
 pub struct PictureFlags {
     /// Title of the pictures, and of the run in a report; if there are several pictures, what each shows follows the title
-    #[arg(long, value_name = "TEXT", value_parser = title)]
+    #[arg(long, value_name = "TEXT", help_heading = HEADING, value_parser = title)]
     #[serde(skip_serializing_if = "Option::is_none")]
     title: Option<String>,
     /// Width of the pictures in print, 40 to 600 mm [default: 90; of a comparison 140]
-    #[arg(long, value_name = "MM", value_parser = number, allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM", help_heading = HEADING, value_parser = number, allow_negative_numbers = true)]
     #[serde(skip_serializing_if = "Option::is_none")]
     width: Option<f64>,
     /// Font size of the pictures, 4 to 40 points; lines and marks scale with it [default: 7]
-    #[arg(long, value_name = "PT", value_parser = number, allow_negative_numbers = true)]
+    #[arg(long, value_name = "PT", help_heading = HEADING, value_parser = number, allow_negative_numbers = true)]
     #[serde(skip_serializing_if = "Option::is_none")]
     font_size: Option<f64>,
     /// Colours of the pictures [default: colour]
-    #[arg(long, value_name = "NAME", value_parser = one_of::<Palette>())]
+    #[arg(long, value_name = "NAME", help_heading = HEADING, value_parser = one_of::<Palette>())]
     #[serde(skip_serializing_if = "Option::is_none")]
     palette: Option<Palette>,
     /// Draw the letters of SVG pictures as outlines, so that they need no font; such text can be neither searched nor edited
-    #[arg(long)]
+    #[arg(long, help_heading = HEADING)]
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     outline_text: bool,
 }
@@ -77,5 +80,9 @@ impl PictureFlags {
 /// A title: a line that says something.
 pub fn title(text: &str) -> Result<String, String> {
     let is_line = !text.trim().is_empty() && !text.contains(char::is_control);
-    is_line.then(|| text.to_string()).ok_or_else(|| "must be one line of text".into())
+    match text.chars().nth(LONGEST_TITLE) {
+        Some(_) => Err(format!("must have {LONGEST_TITLE} letters at most")),
+        None if is_line => Ok(text.to_string()),
+        None => Err("must be one line of text".into()),
+    }
 }

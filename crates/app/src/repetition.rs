@@ -31,10 +31,8 @@ struct Written {
 pub struct Repeated {
     /// What is run.
     pub command: Command,
-    /// The words that say so, and its motions.
+    /// The words that say so, and the files that it read.
     repeats: Repeats,
-    /// The other files that it read.
-    inputs: Inputs,
     /// Where the results lie.
     folder: PathBuf,
 }
@@ -67,7 +65,7 @@ pub fn at(path: &Path) -> Option<Result<Repeated, String>> {
         _ => return Some(other()),
     };
     let folder = file.parent().unwrap_or(Path::new("")).to_path_buf();
-    Some(Ok(Repeated { command, repeats: Repeats { line, records }, inputs, folder }))
+    Some(Ok(Repeated { command, repeats: Repeats { line, records, inputs }, folder }))
 }
 
 /// What a command under a suite makes; none of another command.
@@ -89,21 +87,19 @@ impl Repeated {
             );
             return Err(InputError(problem).into());
         }
-        let Repeated { mut command, repeats, inputs, folder } = self;
+        let Repeated { mut command, repeats, folder } = self;
         let line = &repeats.line;
         let (motions, run, hazard) = match &mut command {
             Command::Envelope(of) => (&mut of.motions, &mut of.options, None),
             Command::Fragility(of) => (&mut of.motions, &mut of.options, of.hazard.path_mut()),
             Command::Compare(of) => {
                 of.devices = found(inputs::DEVICES, &of.devices, line, &folder)?;
-                inputs::unchanged(inputs::DEVICES, &of.devices, &inputs)?;
                 (&mut of.motions, &mut of.options, of.hazard.path_mut())
             }
             _ => return Ok(()),
         };
         if let Some(hazard) = hazard {
             *hazard = found(inputs::HAZARD, hazard, line, &folder)?;
-            inputs::unchanged(inputs::HAZARD, hazard, &inputs)?;
         }
         let suite = found("--suite", motions.suite(), line, &folder)?;
         motions.repeat(suite, repeats);

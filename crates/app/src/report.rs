@@ -6,7 +6,7 @@ use topple_report::ReportError;
 
 use super::picture_flags;
 use super::suite::counted;
-use super::words::Reporter;
+use super::words::{self, Reporter};
 use super::{InputError, examples};
 
 /// Write a report of one or several runs for those who decide, as one HTML file or a PDF.
@@ -39,7 +39,8 @@ fn failed(error: ReportError) -> anyhow::Error {
 impl ReportCommand {
     /// Reads the runs and writes the report.
     pub fn run(&self) -> anyhow::Result<()> {
-        topple_report::write(&self.folders, &self.out, self.title.as_deref()).map_err(failed)?;
+        let written = topple_report::write(&self.folders, &self.out, self.title.as_deref());
+        words::warn_once(written.map_err(failed)?);
         let of = counted(self.folders.len(), "run");
         Reporter::unless(self.quiet).line("report", format!("{} of {of}", self.out.display()));
         Ok(())

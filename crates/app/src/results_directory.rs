@@ -10,6 +10,7 @@ use topple::results::earlier::{self, Earlier, Kind};
 use topple::results::files::{Directory, WriteError};
 use topple::results::lock::Lock;
 use topple::results::store::Store;
+use topple_pictures::drawing::letters;
 use topple_studies::suites::saved;
 
 use super::words::{self, Reporter};
@@ -29,8 +30,9 @@ pub fn picture_files(name: &str) -> [String; 2] {
     [format!("{name}.svg"), format!("{name}.png")]
 }
 
-/// Writes a picture as NAME.svg and NAME.png.
+/// Writes a picture as NAME.svg and NAME.png, and warns of letters that no font has.
 pub fn write_picture(out: &Directory, name: &str, svg: &str, png: &[u8]) -> Result<(), WriteError> {
+    words::warn_once(letters::missing(svg));
     let [of_svg, of_png] = picture_files(name);
     out.write(&of_svg, |w| w.write_all(svg.as_bytes()))?;
     out.write(&of_png, |w| w.write_all(png))?;

@@ -14,6 +14,7 @@ use topple_studies::suites::measures::Measures;
 use topple_studies::suites::read::Reading;
 use topple_studies::suites::{Entry, Motion, Suite, SuiteError, table};
 
+use super::command_line::CommandLine;
 use super::inputs::PUT_BACK;
 use super::manifest::Computed;
 use super::picture_flags::PictureFlags;
@@ -53,6 +54,8 @@ pub struct SuiteCommand {
 struct Manifest<'a> {
     #[serde(serialize_with = "path_text::serialize")]
     suite: &'a std::path::Path,
+    /// What repeats the run.
+    command: CommandLine,
     motions: usize,
     /// Of how many recordings they are.
     recordings: usize,
@@ -173,6 +176,7 @@ impl SuiteCommand {
         out.picture("suite", &svg, &png)?;
         let manifest = Manifest {
             suite: &self.path,
+            command: CommandLine::own(),
             motions: suite.motions().count(),
             recordings: suite.recordings().1,
             events: suite.events(),

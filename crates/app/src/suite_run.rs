@@ -10,7 +10,7 @@ use topple::results::store_error::StoreError;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::record::Baseline;
-use topple::scene::{Parameter, Scene, Values, path_text};
+use topple::scene::{Grid, Parameter, Scene, Values, path_text};
 use topple::sweep::error::SweepError;
 use topple::sweep::settings::Method;
 use topple_studies::suites::read::Reading;
@@ -21,6 +21,7 @@ use topple_studies::suites::{Suite, SuiteRequest, saved};
 use super::command_line::CommandLine;
 use super::errors::sweep_error;
 use super::estimate::duration;
+use super::inputs::{InputReader, Inputs};
 use super::manifest::Computed;
 use super::options::{CommonFlags, RunOptions, Verify, flag_error};
 use super::picture_flags::PictureFlags;
@@ -48,16 +49,16 @@ pub struct SuiteFlags {
     #[arg(long, help_heading = "Suite")]
     both_directions: bool,
     /// Number of cells, of all motions together, that the reference computes again, or none [default: 128, or as many as 30 s allow]
-    #[arg(long, value_name = "N|none", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N|none", help_heading = "Computing", allow_negative_numbers = true)]
     verify: Option<Verify>,
     /// Continue an interrupted run in the same directory, or join the shards that --tile wrote there
-    #[arg(long)]
+    #[arg(long, help_heading = "Computing")]
     resume: bool,
     /// Run only the k-th of n shards of the motions and keep it in the directory for --resume
-    #[arg(long, value_name = "K/N")]
+    #[arg(long, value_name = "K/N", help_heading = "Computing")]
     tile: Option<Shard>,
     /// Run only a sample, and print the expected time
-    #[arg(long)]
+    #[arg(long, help_heading = "Computing")]
     dry_run: bool,
     /// The run that this one repeats.
     #[arg(skip)]
@@ -77,6 +78,8 @@ pub struct Repeats {
     pub line: CommandLine,
     /// What its motions were read from.
     pub records: suite::Sources,
+    /// Checksums of the other files that it read.
+    pub inputs: Inputs,
 }
 
 /// Numbers of run.json that every command with a suite has.
@@ -140,6 +143,11 @@ impl SuiteFlags {
         Ok(request)
     }
 
+    /// What reads the files beside the motions.
+    pub fn inputs(&self) -> InputReader<'_> {
+        InputReader::new(self.repeats.as_ref().map(|earlier| &earlier.inputs))
+    }
+
     /// The suite's path.
     pub fn suite(&self) -> &Path {
         &self.suite
@@ -184,6 +192,7 @@ impl SuiteFlags {
         let suite = self.suite.display();
         say.line("scene", format!("{}, under the motions of {suite}", parts.join(", ")));
         if let [scene] = scenes {
+            words::axes(say, &Grid::of(scene));
             words::block(say, scene);
         }
         let leans = |scene: &Scene| {

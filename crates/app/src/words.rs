@@ -60,6 +60,11 @@ pub fn warn(text: impl Display) {
     WARNINGS.lock().unwrap_or_else(PoisonError::into_inner).push(text);
 }
 
+/// Says it unless it was said before, as of several pictures of one run.
+pub fn warn_once(text: Option<String>) {
+    text.filter(|text| !warnings().contains(text)).into_iter().for_each(warn);
+}
+
 /// What the command has warned of until now.
 pub fn warnings() -> Vec<String> {
     WARNINGS.lock().unwrap_or_else(PoisonError::into_inner).clone()
@@ -127,9 +132,17 @@ pub fn scene(say: &Reporter, scene: &Scene, grid: &Grid) {
         format!("{}, {cells}", scene.title)
     });
     say.line("", topple::scene::words::line(scene));
+    axes(say, grid);
     block(say, scene);
     device(say, None, scene);
     record(say, scene);
+}
+
+/// What is swept, a line for each axis: a decimal comma makes a list of two numbers.
+pub fn axes(say: &Reporter, grid: &Grid) {
+    for axis in grid.axes().iter().filter(|axis| axis.count() > 1) {
+        say.line("axis", topple::scene::words::axis(axis));
+    }
 }
 
 /// The size of a scene's block, so that nobody takes half of the width for the width.

@@ -20,6 +20,7 @@ pub(crate) mod page;
 pub(crate) mod ranges;
 pub mod records;
 pub(crate) mod refused;
+pub(crate) mod room;
 pub(crate) mod routes;
 pub(crate) mod save;
 pub(crate) mod section;

@@ -4,7 +4,6 @@ use std::collections::{BTreeMap, HashMap};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use serde_json::{Value, json};
@@ -12,10 +11,11 @@ use tempfile::TempDir;
 
 use super::asked::SYNTHETIC;
 use super::refused::Refused;
+use super::room::{Room, Taken};
 use topple::scene::excitation::{RecordText, check_record};
 use topple::scene::record::{Pair, Units, synthetic};
 use topple::scene::shown::is_hidden;
-use topple::scene::{Numbers, Parameter, Scene, SceneBuilder, bounded};
+use topple::scene::{Numbers, Parameter, Scene, SceneBuilder};
 
 /// What a motion that was read hangs on: its files by their names here, what was given of them, and the peak that
 /// they are scaled to.
@@ -25,8 +25,6 @@ type RecordTextKey =
 
 /// Motions that are kept read, and samples of all of them, 512 MiB with both components.
 const KEPT: (usize, usize) = (8, 1 << 25);
-/// Most bytes of all files that are dropped in a session.
-const MOST: u64 = 4 << 30;
 
 /// Files of records by names, and the motions that were read from them.
 #[derive(Default)]
@@ -34,8 +32,9 @@ pub struct Records {
     /// Where dropped files lie: made for the first one, and taken away with the session.
     folder: Mutex<Option<TempDir>>,
     places: Mutex<BTreeMap<String, PathBuf>>,
-    /// Bytes of the files that were dropped.
-    dropped: AtomicU64,
+    /// The room that dropped files take, also those of suites.
+    pub room: Room,
+    taken: Mutex<Vec<Taken>>,
     read: Mutex<HashMap<Key, Pair>>,
 }
 
@@ -118,16 +117,11 @@ impl Records {
         let is_it = |place: &Path| fs::read(place).is_ok_and(|known| known == bytes);
         let id = name_for(&places, &plain_name(name), is_it);
         if !places.contains_key(&id) {
-            let before = self.dropped.fetch_add(bytes.len() as u64, Ordering::Relaxed);
-            if before.saturating_add(bytes.len() as u64) > MOST {
-                self.dropped.fetch_sub(bytes.len() as u64, Ordering::Relaxed);
-                return Err(Refused::told(format!(
-                    "the files dropped so far have {} with this one; start topple explore again",
-                    bounded::size(MOST)
-                )));
-            }
+            let taken = self.room.take(bytes.len() as u64)?;
             let place = self.folder()?.join(&id);
             fs::write(&place, bytes)?;
+            // A record stays as long as the session.
+            self.taken.lock().unwrap_or_else(PoisonError::into_inner).push(taken);
             places.insert(id.clone(), place);
         }
         Ok(id)

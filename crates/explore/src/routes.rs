@@ -20,7 +20,7 @@ use tokio::sync::mpsc;
 
 use super::body::read;
 use super::frame::frame;
-use super::guard::{Credentials, Token, let_in};
+use super::guard::{Credentials, Refusal, Token, let_in};
 use super::refused::Refused;
 use super::session::Session;
 use super::stage::ViewRequest;
@@ -86,25 +86,25 @@ fn only(headers: &HeaderMap, name: HeaderName) -> Option<Option<&str>> {
 }
 
 /// The path below the token of a request that is let in.
-fn allowed(shared: &Shared, request: &Request) -> Option<String> {
+fn allowed(shared: &Shared, request: &Request) -> Result<String, Refusal> {
     let headers = request.headers();
     let said = Credentials {
         path: request.uri().path(),
-        host: only(headers, HOST)?,
-        origin: only(headers, ORIGIN)?,
-        site: only(headers, SITE)?,
+        host: only(headers, HOST).ok_or(Refusal::Host)?,
+        origin: only(headers, ORIGIN).ok_or(Refusal::Page)?,
+        site: only(headers, SITE).ok_or(Refusal::Page)?,
         posts: !matches!(*request.method(), Method::GET | Method::HEAD | Method::OPTIONS),
         marked: headers.contains_key(MARK),
     };
-    let_in(&shared.token, shared.at, &said).map(String::from)
+    let_in(&shared.token, &said).map(String::from)
 }
 
 /// Answers a request.
 pub async fn answer(State(shared): State<Arc<Shared>>, request: Request) -> Response {
     let path = allowed(&shared, &request);
     let mut response = match path {
-        None => (StatusCode::FORBIDDEN, "not allowed\n").into_response(),
-        Some(path) => inner(&shared, &path, request).await,
+        Err(refusal) => (StatusCode::FORBIDDEN, refusal.line(shared.at.port())).into_response(),
+        Ok(path) => inner(&shared, &path, request).await,
     };
     for (name, value) in [
         (CONTENT_SECURITY_POLICY, page::POLICY),

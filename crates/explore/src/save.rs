@@ -13,7 +13,7 @@ use super::stages::Stages;
 use super::view::{sweep, whole};
 use topple::results::{csv, npz};
 use topple_pictures::drawing::print::Print;
-use topple_pictures::drawing::render;
+use topple_pictures::drawing::{letters, render};
 use topple_pictures::map::figure::fields::{CONTACT, FIELDS};
 use topple_pictures::map::figure::{field, main};
 
@@ -81,7 +81,13 @@ pub fn run(
     };
     let mut file = Cursor::new(Vec::new());
     match request.kind {
-        Kind::Png => return Ok((render::png(&svg()?)?, "image/png")),
+        Kind::Png => {
+            let svg = svg()?;
+            if let Some(problem) = letters::missing(&svg) {
+                return Err(Refused::told(format!("{problem}; or save the SVG")));
+            }
+            return Ok((render::png(&svg)?, "image/png"));
+        }
         Kind::Svg => return Ok((svg()?.into_bytes(), "image/svg+xml")),
         Kind::Npz => npz::write(&map.grid, &*map.outcomes, map.source(), &mut file)?,
         _ => csv::write(&map.grid, &*map.outcomes, map.method.columns, &mut file)

@@ -160,9 +160,9 @@ fn sentence(folder: &Folder, scene: &Scene) -> String {
 fn blocks(folders: &[Folder]) -> Vec<Piece> {
     let mut drawn: Vec<String> = Vec::new();
     let mut pieces = Vec::new();
-    let scenes = folders.iter().flat_map(|folder| {
-        folder.scenes().into_iter().map(|scene| (scene, folder.varied()))
-    });
+    let scenes = folders
+        .iter()
+        .flat_map(|folder| folder.scenes().into_iter().map(|scene| (scene, folder.varied())));
     for (scene, varied) in scenes {
         let Some(case) = block::case(&scene) else { continue };
         let svg = block::draw(&scene, &case);
@@ -172,8 +172,7 @@ fn blocks(folders: &[Folder]) -> Vec<Piece> {
         let Ok(outlined) = topple_pictures::drawing::render::outlined(&svg) else { continue };
         let mut caption = block::caption(&scene, &case);
         if !varied.is_empty() {
-            let names: Vec<&str> =
-                varied.iter().map(|one| one.parameter.entry().symbol).collect();
+            let names: Vec<&str> = varied.iter().map(|one| one.parameter.entry().symbol).collect();
             caption += &format!(
                 " Not known exactly, and drawn with one of the values: {}.",
                 names.join(", ")
@@ -324,9 +323,13 @@ fn unrepeatable(folder: &Folder) -> Option<&'static str> {
     let is_told = |key: &str| folder.run.get(key).is_some_and(|value| !value.is_null());
     let recorded = folder.scene.as_ref().is_some_and(|scene| scene.excitation.record().is_some());
     match folder.kind {
-        Kind::Envelope | Kind::Fragility | Kind::Comparison if !is_told("command") => Some(
-            "No command repeats it: its run.json does not say which one was given. Give the whole command again.",
-        ),
+        Kind::Suite | Kind::Envelope | Kind::Fragility | Kind::Comparison
+            if !is_told("command") =>
+        {
+            Some(
+                "No command repeats it: its run.json does not say which one was given. Give the whole command again.",
+            )
+        }
         Kind::Map | Kind::History | Kind::Probability if recorded && !is_told("record") => Some(
             "No command repeats it: its run.json does not say where its record lies. Give the record to topple seismic again.",
         ),
@@ -359,13 +362,6 @@ fn repeated(folder: &Folder, told: &mut Vec<String>) -> Vec<Piece> {
         Some(arguments) => {
             let words = arguments.iter().filter_map(Value::as_str).map(shown::word);
             vec![std::iter::once("topple".to_string()).chain(words).collect::<Vec<_>>().join(" ")]
-        }
-        None if matches!(folder.kind, Kind::Suite) => {
-            vec![format!(
-                "topple suite {} --out {}",
-                shown::word(folder.text("suite").unwrap_or_default()),
-                again(folder)
-            )]
         }
         None => {
             let path = shown::word(&folder.path.to_string_lossy());

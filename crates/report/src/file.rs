@@ -51,24 +51,29 @@ impl Format {
 }
 
 /// Reads runs and writes their report, as HTML or as a PDF by the ending of its name; under a title of the runs where none
-/// is given.
+/// is given. What is not as it should be in it, such as letters that no font has, is returned.
 ///
 /// # Errors
 /// [`ReportError`], with no report written.
-pub fn write(runs: &[PathBuf], out: &Path, title: Option<&str>) -> Result<(), ReportError> {
+pub fn write(
+    runs: &[PathBuf],
+    out: &Path,
+    title: Option<&str>,
+) -> Result<Option<String>, ReportError> {
     let format = Format::of(out)?;
     let unnamed = || ReportError::Place(format!("{} is no name of a file", out.display()));
     let name = out.file_name().and_then(|name| name.to_str()).ok_or_else(unnamed)?;
     format.refuse_foreign(out)?;
     let folders = runs.iter().map(|path| Folder::read(path)).collect::<Result<Vec<_>, _>>()?;
     let document = contents::of(&folders, title)?;
-    let bytes = match format {
-        Format::Html => html::write(&document).into_bytes(),
+    let (bytes, problem) = match format {
+        // A browser has fonts of its own.
+        Format::Html => (html::write(&document).into_bytes(), None),
         Format::Pdf => print::write(&document)?,
     };
     let place = out.parent().filter(|folder| !folder.as_os_str().is_empty());
     let place = Directory::open(place.unwrap_or(Path::new(".")))
         .map_err(|error| ReportError::Place(error.to_string()))?;
     place.write(name, |w| w.write_all(&bytes))?;
-    Ok(())
+    Ok(problem)
 }

@@ -80,10 +80,11 @@ fn push(page: &mut String, piece: &Piece) {
 
 /// A text with its symbols' indices below the line.
 fn marked_up(text: &str) -> String {
-    let pieces = text::pieces(text).into_iter().map(|piece| match piece {
+    let pieces = text::pieces(text).into_iter().map(|(_, piece)| match piece {
         Letters::Plain(letter) => escaped(letter.encode_utf8(&mut [0; 4])),
-        Letters::Dotted(letter) => format!("{}\u{308}", escaped(letter.encode_utf8(&mut [0; 4]))),
-        Letters::Index(index) => format!("<sub>{}</sub>", escaped(index)),
+        Letters::Symbol(letter, index) => {
+            format!("{}<sub>{}</sub>", escaped(letter), escaped(index))
+        }
         Letters::Power(power) => format!("<sup>{}</sup>", escaped(power)),
     });
     pieces.collect()

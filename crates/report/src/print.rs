@@ -5,7 +5,7 @@ use topple_pictures::drawing::canvas::{Canvas, Place, stroke};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::pdf::{self, Placed};
 use topple_pictures::drawing::text::{style, wrapped};
-use topple_pictures::drawing::{MILLIMETRE, render};
+use topple_pictures::drawing::{MILLIMETRE, letters, render};
 
 use super::CREATOR;
 use super::document::{Document, Piece};
@@ -38,11 +38,11 @@ pub fn mark() -> String {
     format!("/Creator ({CREATOR})")
 }
 
-/// The pages.
+/// The pages, and which letters of them no font has.
 ///
 /// # Errors
 /// [`FigureError`]: a picture that cannot be drawn.
-pub fn write(document: &Document) -> Result<Vec<u8>, FigureError> {
+pub fn write(document: &Document) -> Result<(Vec<u8>, Option<String>), FigureError> {
     let mut paper = Paper::new();
     paper.text(&document.title, 17.0, 0.0);
     let mut pieces = &document.pieces[..];
@@ -66,7 +66,9 @@ pub fn write(document: &Document) -> Result<Vec<u8>, FigureError> {
         }
     }
     paper.turn();
-    pdf::pages(&paper.pages, PAGE, (&document.title, CREATOR))
+    let all: Vec<&str> = paper.pages.iter().flatten().map(|placed| placed.svg.as_str()).collect();
+    let problem = letters::missing(&all.concat());
+    Ok((pdf::pages(&paper.pages, PAGE, (&document.title, CREATOR))?, problem))
 }
 
 /// A picture in a row of them.

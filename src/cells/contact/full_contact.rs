@@ -24,6 +24,7 @@ use crate::cells::plan::Plan;
 use crate::cells::window::Combinations;
 use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
+use crate::model::precision::Precision;
 use crate::model::real::Real;
 use crate::scene::grid::Place;
 use crate::scene::{Excitation, Grid, Parameter};
@@ -70,13 +71,14 @@ fn steps_after(plan: &Plan, still: bool) -> u32 {
     if pulse && plan.shortcuts.certificate && h && (v || still) { AFTER_PULSE } else { 0 }
 }
 
-/// True where the motions of these combinations, with so many steps after the excitation, fit in memory. The motions
+/// Bytes of the motions of these combinations, with so many steps after the excitation, where they fit in memory. The motions
 /// of a pulse are counted one by one until they do not fit.
-fn fit<R: Real>(plan: &Plan, grid: &Grid, all: &[Combinations; 2], after: u32) -> bool {
-    let mut left = MOST_MEMORY / size_of::<R>();
+fn fit<R: Real>(plan: &Plan, grid: &Grid, all: &[Combinations; 2], after: u32) -> Option<usize> {
+    let most = MOST_MEMORY / size_of::<R>();
+    let mut left = most;
     let directions = [Direction::Horizontal, Direction::Vertical];
     let fields = directions.map(|direction| direction.fields(plan.asked.forces));
-    all.iter().zip(fields).all(|(all, fields)| {
+    let fits = all.iter().zip(fields).all(|(all, fields)| {
         let most = left / fields;
         let samples = match &plan.scene.excitation {
             Excitation::Record(pair) => all.count().saturating_mul(pair.len()),
@@ -97,7 +99,35 @@ fn fit<R: Real>(plan: &Plan, grid: &Grid, all: &[Combinations; 2], after: u32) -
         };
         left = left.saturating_sub(samples.saturating_mul(fields));
         samples <= most
-    })
+    });
+    fits.then_some((most - left) * size_of::<R>())
+}
+
+/// True where the cells of a grid share the motions of these combinations. With as many motions as cells nothing is saved;
+/// without forces a cell is so cheap that one motion takes as long as several cells.
+fn shares(plan: &Plan, grid: &Grid, all: &[Combinations; 2]) -> bool {
+    let each = if plan.asked.forces { 1 } else { CELLS_A_MOTION };
+    let motions = all[0].count().saturating_add(all[1].count()).saturating_mul(each);
+    let pays = grid.len() > motions && shared_amplitude(plan, grid) != Some(0.0);
+    plan.shortcuts.full_contact && plan.shares_contact() && !grid.tilts() && pays
+}
+
+/// The bytes of the motions that the cells of a grid share, and the steps after the excitation; none where they share none.
+fn sharing<R: Real>(plan: &Plan, grid: &Grid) -> Option<(usize, u32)> {
+    let of = Dependence::of(plan, grid);
+    let all = of.combinations(grid);
+    let mut most =
+        [steps_after(plan, of.still), 0].into_iter().filter(|_| shares(plan, grid, &all));
+    most.find_map(|after| Some((fit::<R>(plan, grid, &all, after)?, after)))
+}
+
+/// Bytes of the motions in full contact that the cells of a grid share.
+pub fn bytes_shared(plan: &Plan, grid: &Grid, precision: Precision) -> usize {
+    let shared = match precision {
+        Precision::F32 => sharing::<f32>(plan, grid),
+        Precision::F64 => sharing::<f64>(plan, grid),
+    };
+    shared.map_or(0, |(bytes, _)| bytes)
 }
 
 /// The motions that a list needs, together with those that are there already. They are those of the whole grid where
@@ -141,20 +171,9 @@ impl<R: Real> FullContactMotions<R> {
         let amplitude = shared_amplitude(plan, grid);
         let of = Dependence::of(plan, grid);
         let all = of.combinations(grid);
-        // With as many motions as cells nothing is saved. Without forces a cell is so cheap that one motion takes as
-        // long as several cells.
-        let each = if plan.asked.forces { 1 } else { CELLS_A_MOTION };
-        let motions = all[0].count().saturating_add(all[1].count()).saturating_mul(each);
-        let pays = grid.len() > motions && amplitude != Some(0.0);
-        let shares = plan.shortcuts.full_contact && plan.shares_contact() && !grid.tilts() && pays;
-        let fitting = || {
-            let mut most = [steps_after(plan, of.still), 0].into_iter();
-            most.find(|after| fit::<R>(plan, grid, &all, *after))
-        };
         let after = match known {
             Some(known) => known.after,
-            None if shares => fitting()?,
-            None => return None,
+            None => sharing::<R>(plan, grid)?.1,
         };
         let known = known.map(|known| [&known.across, &known.up]);
         let wanted =

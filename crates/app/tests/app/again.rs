@@ -644,3 +644,35 @@ fn a_list_of_devices_or_a_hazard_curve_that_has_changed_is_refused() {
     refused("run rates --out other", "--hazard: ");
     assert!(!place.path().join("other").exists());
 }
+
+/// Of files that can be read once only, such as pipes, run.json has the checksums of what was read.
+#[cfg(unix)]
+#[test]
+fn the_checksum_of_a_pipe_is_that_of_what_came_through_it() {
+    use topple::scene::record::sha256;
+    let (place, list) = crate::fragility::suite();
+    let devices = "device,isolation,radius,mu\nfloor,none,,\npendulum,horizontal,1.5,0.06\n";
+    let curve = "pga [m/s2],rate\n1,0.01\n3,0.001\n8,0.0001\n";
+    let block = "--object 1 --backend cpu --verify none --levels 1,4,9 --hazard site.csv";
+    for (name, line) in [
+        ("compared", format!("compare devices.csv --suite {list} {block}")),
+        ("rates", format!("fragility --suite {list} --isolation none {block}")),
+    ] {
+        for (file, text) in [("devices.csv", devices), ("site.csv", curve)] {
+            let path = place.path().join(file);
+            let _ = fs::remove_file(&path);
+            std::process::Command::new("mkfifo").arg(&path).status().unwrap();
+            // It waits for a reader, and is left where there is none.
+            std::thread::spawn(move || fs::write(path, text));
+        }
+        let mut command = Command::cargo_bin("topple").unwrap();
+        command.timeout(std::time::Duration::from_secs(120)).current_dir(place.path());
+        command.args(line.split_whitespace()).args(["--out", name]).assert().success();
+        let run = fs::read(place.path().join(name).join("run.json")).unwrap();
+        let run: serde_json::Value = serde_json::from_slice(&run).unwrap();
+        assert_eq!(run["inputs"]["--hazard"], sha256(curve.as_bytes()), "{name}");
+        if name == "compared" {
+            assert_eq!(run["inputs"]["DEVICES"], sha256(devices.as_bytes()));
+        }
+    }
+}

@@ -187,8 +187,19 @@ fn nobody_is_let_in_but_the_page() {
         ),
         ("no mark", format!("POST /{token}/map HTTP/1.1\r\nHost: {host}\r\n")),
     ] {
-        assert_eq!(server.send(&head, body.as_bytes()).status, 403, "{name}");
+        let answer = server.send(&head, body.as_bytes());
+        assert_eq!(answer.status, 403, "{name}");
+        let line = String::from_utf8(answer.body).unwrap();
+        assert!(line.starts_with("not allowed: ") && line.contains("open the address"), "{line}");
     }
+    let elsewhere =
+        server.send(&format!("GET /{token}/ HTTP/1.1\r\nHost: machine.example\r\n"), b"");
+    let line = String::from_utf8(elsewhere.body).unwrap();
+    let (_, port) = host.split_once(':').unwrap();
+    assert!(line.contains(&format!("ssh -L {port}:127.0.0.1:{port}")), "{line}");
+    // A tunnel's own end may have another port.
+    let tunnel = format!("GET /{token}/ HTTP/1.1\r\nHost: localhost:9999\r\n");
+    assert_eq!(server.send(&tunnel, b"").status, 200);
     let own =
         format!("POST /{token}/map HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\n{mark}");
     assert_eq!(server.send(&own, body.as_bytes()).status, 200);

@@ -130,3 +130,25 @@ fn a_scene_is_not_saved_under_a_name_that_is_no_text() {
     assert!(told.lines().count() == 1 && told.contains("the name is no text (UTF-8)"), "{told}");
     assert_eq!(fs::read_dir(&folder).unwrap().count(), before);
 }
+
+/// Words that are no text are refused in a line that names them, wherever they stand.
+#[test]
+fn words_that_are_no_text_are_refused_in_one_line() {
+    let wrong = OsStr::from_bytes(b"a\xff");
+    let text = |word: &'static str| OsStr::new(word);
+    let lines: [&[&OsStr]; 7] = [
+        &[wrong],
+        &[text("pulse"), wrong],
+        &[wrong, text("pulse")],
+        &[text("help"), wrong],
+        &[text("pulse"), text("--t-h"), wrong],
+        &[text("pulse"), text("--title"), wrong],
+        &[text("pulse"), OsStr::from_bytes(b"--t-h=\xff")],
+    ];
+    for words in lines {
+        let run = Command::cargo_bin("topple").unwrap().args(words).assert().code(2);
+        let said = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+        assert_eq!(said.lines().count(), 1, "{words:?}: {said}");
+        assert!(said.contains('\u{fffd}'), "{words:?}: {said}");
+    }
+}

@@ -550,3 +550,51 @@ fn spectra_are_the_least_values_that_lift_and_overturn() {
     let said = refused(&[&line[..], &["--out", at("signed").to_str().unwrap()]].concat());
     assert!(said.contains("how strong the shaking is"), "{said}");
 }
+
+/// Letters that no font has would be empty boxes: a line names them and the texts that have them, once for all pictures of a run, and
+/// run.json and a report as PDF say it, too. (U+10FFFD is for private use: no font has it.)
+#[test]
+fn letters_that_no_font_has_are_said() {
+    let place = TempDir::new().unwrap();
+    let (map, report) = (place.path().join("map"), place.path().join("report.pdf"));
+    let warned = |run: assert_cmd::assert::Assert| {
+        let said = String::from_utf8(run.success().get_output().stderr.clone()).unwrap();
+        said.lines().filter(|line| line.contains("U+10FFFD")).map(String::from).collect::<Vec<_>>()
+    };
+    let mut command = Command::cargo_bin("topple").unwrap();
+    let title = ["--title", "Statue \u{10fffd}", "--spectrum", "--verify", "none", "--out"];
+    let said = warned(command.args(MAP).args(title).arg(&map).assert());
+    assert!(said.len() == 1 && said[0].contains("of \"Statue \u{10fffd}\""), "{said:?}");
+    let run: serde_json::Value =
+        serde_json::from_slice(&fs::read(map.join("run.json")).unwrap()).unwrap();
+    assert!(run["warnings"][0].as_str().unwrap().contains("U+10FFFD"), "{run}");
+    let mut command = Command::cargo_bin("topple").unwrap();
+    let said = warned(command.arg("report").arg(&map).arg("--out").arg(&report).assert());
+    assert_eq!(said.len(), 1, "{said:?}");
+    let mut command = Command::cargo_bin("topple").unwrap();
+    let page = place.path().join("report.html");
+    let said = warned(command.arg("report").arg(&map).arg("--out").arg(&page).assert());
+    assert!(said.is_empty(), "{said:?}");
+
+    let (folder, list) = suite();
+    let devices = folder.path().join("devices.csv");
+    fs::write(&devices, "device,isolation\nfirst \u{10fffd},none\nsecond,none\n").unwrap();
+    let mut command = Command::cargo_bin("topple").unwrap();
+    command.arg("compare").arg(&devices).args(["--object", "1", "--suite", &list]);
+    command.args(["--verify", "none", "--backend", "cpu", "--out"]).arg(folder.path().join("out"));
+    let said = warned(command.assert());
+    assert!(said.len() == 1 && said[0].contains("of \"first \u{10fffd}\""), "{said:?}");
+}
+
+/// A title has an end, wherever it is given.
+#[test]
+fn a_title_without_an_end_is_refused() {
+    let place = TempDir::new().unwrap();
+    let title = "a".repeat(10_001);
+    let scene = place.path().join("scene.toml");
+    fs::write(&scene, format!("title = \"{title}\"\n")).unwrap();
+    let line = refused(&["run", scene.to_str().unwrap()]);
+    assert!(line.contains("title: has more than 10000 letters"), "{line}");
+    let line = refused(&["pulse", "--object", "1", "--t-h", "1", "--title", &title]);
+    assert!(line.contains("must have 10000 letters at most"), "{}", &line[line.len() - 300..]);
+}

@@ -172,7 +172,8 @@ fn suite(count: usize) -> Suite {
     let pair = synthetic::pair();
     let measures = topple_studies::Measures::of(&pair);
     let row = |number: usize| {
-        let entry = SuiteEntry { id: number.to_string(), ..SuiteEntry::of("h.at2") };
+        let mut entry = SuiteEntry::of("h.at2");
+        entry.id = number.to_string();
         (entry, Ok(topple_studies::Motion { pair: pair.clone(), measures }))
     };
     Suite { rows: (0..count).map(row).collect(), unused: Vec::new() }

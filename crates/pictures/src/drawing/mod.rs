@@ -11,6 +11,7 @@ pub mod error;
 pub(crate) mod font;
 pub mod frame;
 pub mod legend;
+pub mod letters;
 pub mod pdf;
 pub mod print;
 pub mod raster;

@@ -1,12 +1,10 @@
 //! The pixels of an SVG.
 
-use std::sync::{Arc, LazyLock};
-
 use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{ImageHrefResolver, Options, Tree, WriteOptions, fontdb};
+use resvg::usvg::{ImageHrefResolver, Options, Tree, WriteOptions};
 
 use super::error::FigureError;
-use super::{font, raster};
+use super::{letters, raster};
 
 /// Pixels an inch of a picture's PNG: what journals ask for.
 const PRINT: f32 = 300.0;
@@ -15,13 +13,6 @@ pub(super) const POINTS: f32 = 72.0;
 const CSS: f32 = 96.0;
 /// Pixels an inch of an animation, which is shown on a screen.
 const SCREEN: f32 = 150.0;
-
-static FONTS: LazyLock<Arc<fontdb::Database>> = LazyLock::new(|| {
-    let mut fonts = fontdb::Database::new();
-    fonts.load_font_data(font::BYTES.to_vec());
-    fonts.set_sans_serif_family("Ubuntu");
-    Arc::new(fonts)
-});
 
 /// An SVG as a PNG of 300 pixels an inch, which it says itself: a layout program places it in the SVG's size.
 ///
@@ -59,7 +50,7 @@ pub(super) fn tree(svg: &str, dpi: f32) -> Result<Tree, FigureError> {
     let resolver =
         ImageHrefResolver { resolve_string: Box::new(|_, _| None), ..ImageHrefResolver::default() };
     let options = Options {
-        fontdb: Arc::clone(&FONTS),
+        fontdb: letters::fonts(svg),
         dpi,
         image_href_resolver: resolver,
         ..Options::default()
@@ -67,13 +58,17 @@ pub(super) fn tree(svg: &str, dpi: f32) -> Result<Tree, FigureError> {
     Tree::from_str(svg, &options).map_err(|e| FigureError::Encode(e.to_string()))
 }
 
-/// The same picture in the same size without text: its letters are paths, so that it needs no font. Nothing that acts or
-/// points out of the document is left in it.
+/// The same picture in the same size without text: its letters are paths, so that it needs no font. A picture with letters that
+/// no font of this machine has keeps its text. Nothing that acts or points out of the document is left in it.
 ///
 /// # Errors
 /// [`FigureError::Encode`]: no SVG.
 pub fn outlined(svg: &str) -> Result<String, FigureError> {
-    let options = WriteOptions { coordinates_precision: 3, ..WriteOptions::default() };
+    let options = WriteOptions {
+        coordinates_precision: 3,
+        preserve_text: letters::lacks_some(svg),
+        ..WriteOptions::default()
+    };
     let tree = tree(svg, CSS)?;
     let (width, height) = (tree.size().width(), tree.size().height());
     let text = tree.to_string(&options);

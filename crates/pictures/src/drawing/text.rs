@@ -67,51 +67,48 @@ static SYMBOLS: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
 const DOTS: char = '\u{308}';
 const DIAERESIS: char = '¨';
 
-/// A piece of a text.
+/// A piece of a text, which no line ends within.
 pub enum Piece<'a> {
-    /// On the line.
+    /// A letter on the line.
     Plain(char),
-    /// With two dots, the sign of a second derivative, which the font has for a u but not for a v.
-    Dotted(char),
-    /// Below it.
-    Index(&'a str),
-    /// Above it.
+    /// A symbol and its index, which is below the line.
+    Symbol(&'a str, &'a str),
+    /// Above the line.
     Power(&'a str),
 }
 
-/// The pieces of a text: a symbol's index is lowered, what stands in `^{...}` is raised.
-pub fn pieces(text: &str) -> Vec<Piece<'_>> {
+/// The pieces of a text, each with what stands for it there: a symbol's index is lowered, what stands in `^{...}` is raised.
+pub fn pieces(text: &str) -> Vec<(&str, Piece<'_>)> {
     let mut pieces = Vec::new();
     let mut before = ' ';
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
-        if let Some((power, after)) = rest.strip_prefix("^{").and_then(|from| from.split_once('}'))
-        {
-            pieces.push(Piece::Power(power));
-            (rest, before) = (after, '}');
-            continue;
-        }
         let begins = !before.is_alphanumeric() && before != '_';
-        let symbol = SYMBOLS.iter().find_map(|(letter, index)| {
-            let after = rest.strip_prefix(letter)?.strip_prefix('_')?.strip_prefix(index)?;
-            let ends =
-                !after.starts_with(|c: char| c.is_alphabetic() || c.is_ascii_digit() || c == '_');
-            (begins && ends).then_some((*letter, *index, after))
-        });
-        if let Some((letter, index, after)) = symbol {
-            match letter.strip_suffix(DOTS).and_then(|plain| plain.chars().next()) {
-                Some(plain) => pieces.push(Piece::Dotted(plain)),
-                None => pieces.extend(letter.chars().map(Piece::Plain)),
-            }
-            pieces.push(Piece::Index(index));
-            (rest, before) = (after, 'x');
-            continue;
-        }
-        pieces.push(Piece::Plain(first));
-        before = first;
-        rest = &rest[first.len_utf8()..];
+        let symbol = || {
+            SYMBOLS.iter().find_map(|(letter, index)| {
+                let after = rest.strip_prefix(letter)?.strip_prefix('_')?.strip_prefix(index)?;
+                let ends = !after
+                    .starts_with(|c: char| c.is_alphabetic() || c.is_ascii_digit() || c == '_');
+                ends.then_some((Piece::Symbol(letter, index), after, 'x'))
+            })
+        };
+        let power = || {
+            let (power, after) = rest.strip_prefix("^{")?.split_once('}')?;
+            Some((Piece::Power(power), after, '}'))
+        };
+        let found = power().or_else(|| if begins { symbol() } else { None });
+        let (piece, after, last) =
+            found.unwrap_or((Piece::Plain(first), &rest[first.len_utf8()..], first));
+        pieces.push((&rest[..rest.len() - after.len()], piece));
+        (rest, before) = (after, last);
     }
     pieces
+}
+
+/// The letters of a symbol, and whether two dots stand above it: the sign of a second derivative, which the font has for a u
+/// but not for a v.
+fn dotted(letter: &str) -> (&str, bool) {
+    letter.strip_suffix(DOTS).map_or((letter, false), |plain| (plain, true))
 }
 
 /// The size of an index in text of a size.
@@ -137,61 +134,86 @@ fn push_escaped(text: &mut String, character: char) {
 /// A text as SVG, indices lowered.
 pub fn marked_up(text: &str, size: f64) -> String {
     let mut marked = String::new();
-    for piece in pieces(text) {
+    let push = |marked: &mut String, text: &str| {
+        text.chars().for_each(|character| push_escaped(marked, character));
+    };
+    for (_, piece) in pieces(text) {
         let (shift, raised) = match piece {
             Piece::Plain(character) => {
                 push_escaped(&mut marked, character);
                 continue;
             }
-            Piece::Dotted(character) => {
-                push_escaped(&mut marked, character);
-                let back = 0.5 * size * (font::advance(character) + font::advance(DIAERESIS));
-                marked.push_str(&format!("<tspan dx=\"-{back:.2}\">{DIAERESIS}</tspan>"));
-                continue;
+            Piece::Symbol(letter, index) => {
+                let (plain, has_dots) = dotted(letter);
+                push(&mut marked, plain);
+                if has_dots {
+                    let wide = |text: &str| text.chars().map(font::advance).sum::<f64>();
+                    let back = 0.5 * size * (wide(plain) + font::advance(DIAERESIS));
+                    marked.push_str(&format!("<tspan dx=\"-{back:.2}\">{DIAERESIS}</tspan>"));
+                }
+                ("sub", index)
             }
-            Piece::Index(index) => ("sub", index),
             Piece::Power(power) => ("super", power),
         };
         let small = index_size(size);
         marked.push_str(&format!("<tspan baseline-shift=\"{shift}\" font-size=\"{small:.2}\">"));
-        raised.chars().for_each(|character| push_escaped(&mut marked, character));
+        push(&mut marked, raised);
         marked.push_str("</tspan>");
     }
     marked
 }
 
+/// The pieces of a text of a size as they stand in it, each with its width, points; of a letter of size 1 `advance` is asked, once
+/// for each letter.
+fn measured(text: &str, size: f64, mut advance: impl FnMut(char) -> f64) -> Vec<(&str, f64)> {
+    let mut of = |text: &str, size: f64| size * text.chars().map(&mut advance).sum::<f64>();
+    let mut width = |from: &str, piece: Piece| match piece {
+        Piece::Plain(_) => of(from, size),
+        Piece::Symbol(letter, index) => of(dotted(letter).0, size) + of(index, index_size(size)),
+        Piece::Power(power) => of(power, index_size(size)),
+    };
+    pieces(text).into_iter().map(|(from, piece)| (from, width(from, piece))).collect()
+}
+
 /// Width of a text of a size, points.
 pub fn width(text: &str, size: f64) -> f64 {
-    let of = |text: &str, size: f64| size * text.chars().map(font::advance).sum::<f64>();
-    let piece = |piece: &Piece| match piece {
-        Piece::Plain(character) | Piece::Dotted(character) => size * font::advance(*character),
-        Piece::Index(text) | Piece::Power(text) => of(text, index_size(size)),
-    };
-    pieces(text).iter().map(piece).sum()
+    measured(text, size, font::advance).iter().map(|(_, width)| width).sum()
 }
 
 /// The lines of a text that are no wider than some points. They end at spaces; a word that is wider than a
 /// line is cut.
 pub fn wrapped(text: &str, size: f64, most: f64) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    let mut line = String::new();
-    for word in text.split(' ') {
-        let longer = if line.is_empty() { word.to_string() } else { format!("{line} {word}") };
-        if width(&longer, size) <= most {
-            line = longer;
-            continue;
-        }
-        if !line.is_empty() {
+    wrapped_by(text, size, most, font::advance)
+}
+
+fn wrapped_by(text: &str, size: f64, most: f64, advance: impl FnMut(char) -> f64) -> Vec<String> {
+    let pieces = measured(text, size, advance);
+    let mut lines = Vec::new();
+    let (mut line, mut wide) = (String::new(), 0.0);
+    // The width of the space before a word.
+    let mut space = 0.0;
+    for word in pieces.split_inclusive(|(from, _)| *from == " ") {
+        let (word, after) = match word {
+            [word @ .., (" ", after)] => (word, *after),
+            word => (word, 0.0),
+        };
+        let own: f64 = word.iter().map(|(_, width)| width).sum();
+        if !line.is_empty() && wide + space + own > most {
             lines.push(std::mem::take(&mut line));
+            wide = 0.0;
+        } else if !line.is_empty() {
+            line.push(' ');
+            wide += space;
         }
-        for character in word.chars() {
-            line.push(character);
-            if width(&line, size) > most && line.chars().count() > 1 {
-                line.pop();
+        for (from, width) in word {
+            if wide + width > most && !line.is_empty() {
                 lines.push(std::mem::take(&mut line));
-                line.push(character);
+                wide = 0.0;
             }
+            line.push_str(from);
+            wide += width;
         }
+        space = after;
     }
     lines.push(line);
     lines
@@ -199,23 +221,43 @@ pub fn wrapped(text: &str, size: f64, most: f64) -> Vec<String> {
 
 /// A text, its middle left out where it is wider than some points.
 pub fn shortened(text: &str, size: f64, most: f64) -> String {
-    if width(text, size) <= most {
+    shortened_by(text, size, most, font::advance)
+}
+
+/// What stands for the middle of a text that is left out.
+const LEFT_OUT: &str = " … ";
+
+fn shortened_by(text: &str, size: f64, most: f64, mut advance: impl FnMut(char) -> f64) -> String {
+    let pieces = measured(text, size, &mut advance);
+    let widths = |from: &[(&str, f64)]| from.iter().map(|(_, width)| width).sum::<f64>();
+    if widths(&pieces) <= most {
         return text.to_string();
     }
-    let characters: Vec<char> = text.chars().collect();
-    let kept = |count: usize| {
-        let (head, tail) = (count.div_ceil(2), count / 2);
-        let head: String = characters[..head].iter().collect();
-        let tail: String = characters[characters.len() - tail..].iter().collect();
-        format!("{} … {}", head.trim_end(), tail.trim_start())
-    };
-    let fits = (0..characters.len()).rev().map(kept).find(|text| width(text, size) <= most);
-    fits.unwrap_or_else(|| "…".into())
+    let room = most - widths(&measured(LEFT_OUT, size, advance));
+    // Pieces are kept at both ends by turns, as long as they fit.
+    let (mut head, mut tail, mut wide) = (0, pieces.len(), 0.0);
+    while head < tail {
+        let at_head = head <= pieces.len() - tail;
+        let next = if at_head { head } else { tail - 1 };
+        wide += pieces[next].1;
+        if wide > room {
+            break;
+        }
+        if at_head { head += 1 } else { tail -= 1 }
+    }
+    let text = |from: &[(&str, f64)]| from.iter().map(|(from, _)| *from).collect::<String>();
+    match (head, room < 0.0) {
+        (0, _) | (_, true) => "…".into(),
+        _ => {
+            let (head, tail) = (text(&pieces[..head]), text(&pieces[tail..]));
+            format!("{}{LEFT_OUT}{}", head.trim_end(), tail.trim_start())
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{marked_up, shortened, width, wrapped};
+    use super::{marked_up, shortened, shortened_by, width, wrapped, wrapped_by};
     use crate::drawing::FONT;
 
     #[test]
@@ -249,5 +291,31 @@ mod tests {
         assert!(short.contains(" … ") && short.starts_with("B = 0.1") && short.ends_with("line"));
         assert!(width(&short, FONT) <= 90.0 && width(&short, FONT) > 75.0);
         assert_eq!(shortened("short", FONT, 90.0), "short");
+    }
+
+    #[test]
+    fn a_letter_is_measured_once_however_long_a_text_is() {
+        // Letters without a width, too: a line of them has no end.
+        for letter in ["a", "a_name ", "\u{301}", "漢", " "] {
+            let text = letter.repeat(100_000);
+            let letters = text.chars().count();
+            let mut measured = 0;
+            let mut advance = |letter: char| {
+                measured += 1;
+                if letter == '\u{301}' { 0.0 } else { 0.5 }
+            };
+            let short = shortened_by(&text, FONT, 400.0, &mut advance);
+            assert!(short.len() == text.len() || short.chars().count() <= 120, "{letter:?}");
+            wrapped_by(&text, FONT, 200.0, &mut advance);
+            assert!(measured <= 2 * letters + 3, "{letter:?}: {measured}");
+        }
+    }
+
+    #[test]
+    fn a_symbol_and_its_index_stay_on_one_line() {
+        let text = "T_h ".repeat(12).replace(' ', ",");
+        for line in wrapped(&text, FONT, 30.0) {
+            assert!(!line.starts_with("_h") && !line.ends_with('_'), "{line}");
+        }
     }
 }

@@ -28,6 +28,17 @@ const STANDING: Stroke = stroke(BLACK, 0.9);
 const LIMIT_U: Stroke = dashed(LIMITS[0], 0.9, (3.2, 2.0));
 const LIMIT_V: Stroke = dashed(LIMITS[1], 0.9, (1.2, 1.6));
 
+/// Differences of sums of weights that are roundings.
+const ROUNDING: f64 = 1.0e-9;
+
+/// The level of the line around the cells whose share is the least or more. A share that is just reached would lie on a line at
+/// its own level: this one is in the middle of the gap below it, which is that to the next share of the map, and at most that of
+/// one of the motions, if these have equal weights.
+fn border(least: f64, shares: impl Iterator<Item = f64>, motions: usize) -> f64 {
+    let gaps = shares.map(|share| least - share).filter(|gap| *gap > ROUNDING);
+    least - 0.5 * gaps.fold(1.0 / motions as f64, f64::min)
+}
+
 /// Draws an envelope over two axes as SVG; none where there are not two of several values.
 ///
 /// # Errors
@@ -72,10 +83,10 @@ pub fn draw(envelope: &Envelope, title: &str, print: Print) -> Result<Option<Str
             envelope.cells.iter().map(|cell| Some(value(cell)).filter(|v| !v.is_nan())).collect();
         contours(grid, &known, &[level]).pop().unwrap_or_default()
     };
-    // A share that is just reached lies on its line: half a motion below it there is one.
-    let least = 0.5 / envelope.sweep.motions.len() as f64;
+    let shares = envelope.cells.iter().map(|cell| cell.standing);
+    let border = border(limits.standing, shares, envelope.sweep.motions.len());
     let all = [
-        (lines(|cell| cell.standing, limits.standing - least), STANDING),
+        (lines(|cell| cell.standing, border), STANDING),
         (limits.u.map_or(Vec::new(), |u| lines(|cell| cell.max_u[2], u)), LIMIT_U),
         (limits.v.map_or(Vec::new(), |v| lines(|cell| cell.stroke_v[2], v)), LIMIT_V),
     ];
@@ -127,4 +138,22 @@ pub fn draw(envelope: &Envelope, title: &str, print: Print) -> Result<Option<Str
     let shown = u.or(v).is_some();
     let end = of_standing(&mut canvas, envelope.cells.iter().filter(|_| shown), end, most);
     Ok(Some(canvas.finish(end + MARGIN)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::border;
+
+    #[test]
+    fn the_border_lies_between_the_shares_that_keep_the_limit_and_those_that_do_not() {
+        // Weights of 0.97, 0.02 and 0.01: half of one of three motions would be below them all.
+        let shares = [1.0, 0.99, 0.98, 0.03];
+        for least in [1.0, 0.99, 0.98] {
+            let level = border(least, shares.into_iter(), 3);
+            assert!(shares.iter().all(|share| (*share > level) == (*share >= least)), "{level}");
+        }
+        // Equal weights: half a motion below.
+        assert_eq!(border(1.0, [1.0, 0.75, 0.5].into_iter(), 4), 0.875);
+        assert_eq!(border(1.0, [1.0, 0.25].into_iter(), 4), 0.875);
+    }
 }

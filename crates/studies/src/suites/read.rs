@@ -176,7 +176,8 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), Suit
             .map_err(|reason| SuiteError::Read { path: path.into(), reason })?;
         let text = text::decoded(&bytes).map_err(|error| refused(path, error.to_string()))?;
         let read = if peer::matches(&text) { peer::read } else { list::read };
-        let entries = read(&text, "", files).map_err(|problem| refused(path, problem.to_string()))?;
+        let entries =
+            read(&text, "", files).map_err(|problem| refused(path, problem.to_string()))?;
         return Ok((of_list(entries), Vec::new()));
     }
     for name in files.names().iter().filter(|name| ending(name, "csv") || ending(name, "tsv")) {
