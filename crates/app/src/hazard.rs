@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use topple::scene::bounded;
 use topple::scene::record::Units;
 use topple_studies::fragility::{HazardText, hazard, hazard_text};
 use topple_studies::suites::intensity::Intensity;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use tempfile::TempDir;
 use topple::scene::builder::SceneBuilder;
 
@@ -11,7 +11,7 @@ use crate::common::refused;
 
 /// Runs a command into a directory.
 fn run(arguments: &[&str], out: &Path) {
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     command.args(arguments).arg("-q").arg("--out").arg(out).assert().success();
 }
 
@@ -214,7 +214,7 @@ fn a_refined_map_runs_again_with_all_it_had() {
     // What a flag excludes is left out with a word, flag by flag.
     let excluded = |flags: &[&str], left_out: &[&str]| {
         let out = place.path().join(flags.join("").replace('/', "-"));
-        let mut command = Command::cargo_bin("topple").unwrap();
+        let mut command = Command::topple();
         command.args(["run", &results, "-q", "--out"]).arg(&out).args(flags);
         let said = command.assert().success().get_output().stderr.clone();
         let said = String::from_utf8(said).unwrap();
@@ -255,7 +255,7 @@ fn a_repaired_map_and_a_resolved_one_run_again_as_such() {
         same_map(&first, &again);
         assert_eq!(json(&again)[key], true);
         let more: &[&str] = if other == "--refine" { &["--refine", "1"] } else { &["--repair"] };
-        let mut command = Command::cargo_bin("topple").unwrap();
+        let mut command = Command::topple();
         command.args(["run", &results, "-q", "--verify", "none", "--out"]).arg(&again).args(more);
         let said = command.assert().success().get_output().stderr.clone();
         let said = String::from_utf8(said).unwrap();
@@ -291,7 +291,7 @@ fn runs_under_a_suite_are_repeated_from_their_directory() {
         ("envelope", "--standing 0.5 --limit-u 0.3", "envelope.csv", &["envelope.csv", "zeta.csv"]),
     ] {
         let line = format!("{command} {base} {own} --out {command}");
-        let mut first = Command::cargo_bin("topple").unwrap();
+        let mut first = Command::topple();
         first.current_dir(at("work")).args(line.split_whitespace()).assert().success();
         let results = at("work").join(command);
         let same = |again: &str| {
@@ -459,8 +459,7 @@ fn flags_are_saved_as_a_scene() {
     same_map(&flags, &scene);
 
     assert!(refused(&["pulse", "--object", "1", "--save-scene", &saved]).contains("--t-h"));
-    let to_stdout =
-        Command::cargo_bin("topple").unwrap().args(PULSE).args(["--save-scene", "-"]).output();
+    let to_stdout = Command::topple().args(PULSE).args(["--save-scene", "-"]).output();
     let text = String::from_utf8(to_stdout.unwrap().stdout).unwrap();
     assert!(SceneBuilder::from_toml(&text).unwrap().check().is_ok(), "{text}");
 }
@@ -532,8 +531,7 @@ fn a_history_is_saved_and_run() {
     let saved = place.path().join("cell.toml").display().to_string();
     let cell = ["history", "--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--omega", "9"];
     let cell = [&cell[..], &["--a-h", "8.4", "--t-max", "3"]].concat();
-    let said =
-        Command::cargo_bin("topple").unwrap().args(&cell).args(["--save-scene", &saved]).output();
+    let said = Command::topple().args(&cell).args(["--save-scene", &saved]).output();
     let said = String::from_utf8(said.unwrap().stdout).unwrap();
     assert!(said.contains(&format!("topple history {saved} runs it")), "{said}");
     let (flags, file) = (place.path().join("flags"), place.path().join("file"));
@@ -623,7 +621,7 @@ fn a_list_of_devices_or_a_hazard_curve_that_has_changed_is_refused() {
     write("devices.csv", devices);
     write("site.csv", curve);
     let run = |line: &str| {
-        let mut command = Command::cargo_bin("topple").unwrap();
+        let mut command = Command::topple();
         command.current_dir(place.path()).args(line.split_whitespace()).assert()
     };
     let block = "--object 1 --backend cpu --verify none --levels 1,4,9 --hazard site.csv";
@@ -665,7 +663,7 @@ fn the_checksum_of_a_pipe_is_that_of_what_came_through_it() {
             // It waits for a reader, and is left where there is none.
             std::thread::spawn(move || fs::write(path, text));
         }
-        let mut command = Command::cargo_bin("topple").unwrap();
+        let mut command = Command::topple();
         command.timeout(std::time::Duration::from_secs(120)).current_dir(place.path());
         command.args(line.split_whitespace()).args(["--out", name]).assert().success();
         let run = fs::read(place.path().join(name).join("run.json")).unwrap();

@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use tempfile::TempDir;
 
-fn chart(out: &Path, extra: &[&str]) -> assert_cmd::assert::Assert {
-    let mut command = Command::cargo_bin("topple").unwrap();
+fn chart(out: &Path, extra: &[&str]) -> crate::common::command::Assert {
+    let mut command = Command::topple();
     command
         .args(["chart", "--quick", "--no-shader", "--quiet", "--out"])
         .arg(out)

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use tempfile::TempDir;
 use topple::results::npz;
 
@@ -15,13 +15,8 @@ const RECORD: &str = "seismic --object 1 --t-h 0.5:4:6 --t-v 0.3:2:5 --backend c
 
 /// Runs a command into a directory; what it says.
 fn run(line: &str, out: &Path) -> String {
-    let ran = Command::cargo_bin("topple")
-        .unwrap()
-        .args(line.split_whitespace())
-        .arg("--out")
-        .arg(out)
-        .assert()
-        .success();
+    let ran =
+        Command::topple().args(line.split_whitespace()).arg("--out").arg(out).assert().success();
     String::from_utf8(ran.get_output().stdout.clone()).unwrap()
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use tempfile::TempDir;
 
 use super::common::{names, own_lines_but_few, refused};
@@ -22,12 +22,12 @@ const ALONE: [(&str, &str); 3] = [
     ("slider, old", "--object 2 --isolation horizontal --t-h 0.6 --psi 0.05 --u-y 0.002"),
 ];
 
-fn topple(arguments: &[&str]) -> assert_cmd::assert::Assert {
-    Command::cargo_bin("topple").unwrap().args(arguments).args(["--backend", "cpu"]).assert()
+fn topple(arguments: &[&str]) -> crate::common::command::Assert {
+    Command::topple().args(arguments).args(["--backend", "cpu"]).assert()
 }
 
 /// What a run prints, its lines joined.
-fn words(run: &assert_cmd::assert::Assert) -> String {
+fn words(run: &crate::common::command::Assert) -> String {
     let told = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
     told.split_whitespace().collect::<Vec<_>>().join(" ")
 }
@@ -252,7 +252,7 @@ fn shards_and_a_repetition_say_the_same() {
     // An absolute path is looked for where it was.
     assert!(line.contains("DEVICES: ") && line.contains("put it there"), "{line}");
     fs::rename(moved, place.path().join("devices.csv")).unwrap();
-    Command::cargo_bin("topple").unwrap().args(["run", &from, "--out", &at]).assert().success();
+    Command::topple().args(["run", &from, "--out", &at]).assert().success();
     assert_eq!(table(&again), table(&whole));
 }
 
@@ -359,7 +359,7 @@ fn what_is_wrong_with_a_device_is_told_by_its_columns() {
 #[test]
 fn the_help_lists_what_a_command_takes() {
     let help = |command: &str| {
-        let run = Command::cargo_bin("topple").unwrap().args([command, "--help"]).assert();
+        let run = Command::topple().args([command, "--help"]).assert();
         String::from_utf8(run.success().get_output().stdout.clone()).unwrap()
     };
     for (command, refused) in [

@@ -3,13 +3,13 @@
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 
 use super::common::{names, refused};
 use super::fragility::{suite, within};
 
-fn topple(arguments: &[&str]) -> assert_cmd::assert::Assert {
-    Command::cargo_bin("topple").unwrap().args(arguments).args(["--backend", "cpu"]).assert()
+fn topple(arguments: &[&str]) -> crate::common::command::Assert {
+    Command::topple().args(arguments).args(["--backend", "cpu"]).assert()
 }
 
 /// What a run says on both streams.

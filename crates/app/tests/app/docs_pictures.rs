@@ -227,7 +227,7 @@ fn script(drawn: &Drawn) -> String {
 
 /// Draws pictures into a folder; false where the shell does not end well.
 fn draw(drawn: &Drawn, folder: &Path, records: Option<&Path>) -> bool {
-    let program = assert_cmd::cargo::cargo_bin("topple");
+    let program = crate::common::command::program();
     let others = env::var_os("PATH").unwrap_or_default();
     let folders = std::iter::once(program.parent().unwrap().to_path_buf());
     let path = env::join_paths(folders.chain(env::split_paths(&others))).unwrap();

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use serde_json::Value;
 use tempfile::TempDir;
 use topple::backend::backend_error::BackendError;
@@ -20,7 +20,7 @@ use crate::common::{gpu, own_lines, say};
 
 /// The command, on a small map.
 fn pulse(out: &Path, more: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     command
         .args(["pulse", "--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--t-max", "6"])
         .args(["--omega", "1:12:12", "--a-h", "1:12:11", "--quiet", "--out"])
@@ -30,7 +30,7 @@ fn pulse(out: &Path, more: &[&str]) -> Command {
 }
 
 fn adapters() -> Command {
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     command.arg("adapters");
     command
 }

@@ -5,16 +5,16 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 
 use super::common::{own_lines_but_few, refused};
 use super::fragility::{BASE, suite, within};
 
-fn topple(arguments: &[&str]) -> assert_cmd::assert::Assert {
-    Command::cargo_bin("topple").unwrap().args(arguments).args(["--backend", "cpu"]).assert()
+fn topple(arguments: &[&str]) -> crate::common::command::Assert {
+    Command::topple().args(arguments).args(["--backend", "cpu"]).assert()
 }
 
-fn told(run: &assert_cmd::assert::Assert) -> String {
+fn told(run: &crate::common::command::Assert) -> String {
     String::from_utf8(run.get_output().stdout.clone()).unwrap()
 }
 
@@ -178,7 +178,7 @@ fn factors_are_levels_of_a_fragility() {
     assert!(fallen > 0.0 && fallen < 16.0, "{fallen}");
     let (suite, of_suite) = within(&place, "suite");
     let read = ["suite", &list, "--out", &of_suite];
-    Command::cargo_bin("topple").unwrap().args(read).assert().success();
+    Command::topple().args(read).assert().success();
     let peaks: Vec<f64> =
         rows(&suite.join("suite.csv")).iter().map(|row| number(row, "pga_h")).collect();
     let mut wanted: Vec<f64> =

@@ -4,7 +4,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use tempfile::TempDir;
 
 use crate::common::record;
@@ -37,8 +37,7 @@ fn overturned(suite: &Path) -> BTreeMap<u32, HashMap<String, bool>> {
     let folder = TempDir::new().unwrap();
     let out = folder.path().join("out");
     let block = "--isolation none --height 0.2945 --mass 353.802 --inertia 18.61 --half-width";
-    let run = Command::cargo_bin("topple")
-        .unwrap()
+    let run = Command::topple()
         .arg("fragility")
         .args(block.split(' '))
         .args([ARMS, "--verify", "none", "--backend", "cpu", "--quiet", "--suite"])

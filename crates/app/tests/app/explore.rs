@@ -329,8 +329,7 @@ fn the_command_line_and_the_file_make_the_scene_in_view() {
         let request = json!({ "scene": scene, "count": [7, 5] });
         let told = server.post("command", &request).json();
         let words = told["command"].as_str().unwrap().split(' ').map(String::from);
-        let output = assert_cmd::Command::cargo_bin("topple")
-            .unwrap()
+        let output = crate::common::command::Command::topple()
             .args(words.skip(1).chain(["--save-scene".into(), "-".into()]))
             .output()
             .unwrap();

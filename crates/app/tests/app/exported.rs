@@ -439,7 +439,7 @@ fn a_number_is_refused_where_it_means_nothing_beside_the_choices() {
 fn the_command_exports_a_page() {
     let folder = tempfile::tempdir().unwrap();
     let run = |at: &Path| {
-        let mut command = assert_cmd::Command::cargo_bin("topple").unwrap();
+        let mut command = crate::common::command::Command::topple();
         command.args(["explore", "--backend", "cpu", "--export"]).arg(at).assert()
     };
     run(&folder.path().join("page")).success();

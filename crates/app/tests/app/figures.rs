@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use proptest::prelude::*;
 use tempfile::TempDir;
 use topple_lab::figures::Figure;
@@ -12,8 +12,8 @@ use topple_lab::figures::text::FigureInputs;
 
 use crate::common::names;
 
-fn figures(arguments: &[&str], out: &Path) -> assert_cmd::assert::Assert {
-    let mut command = Command::cargo_bin("topple").unwrap();
+fn figures(arguments: &[&str], out: &Path) -> crate::common::command::Assert {
+    let mut command = Command::topple();
     // The user's own directory of records is no part of these tests.
     command.env_remove("TOPPLE_RECORDS");
     command.args(["figures", "--backend", "cpu", "--out"]).arg(out).args(arguments).assert()
@@ -178,7 +178,7 @@ fn a_path_stays_in_its_directory() {
 /// A figure is no scene, and its file says how it is run.
 #[test]
 fn a_figure_is_not_run_as_a_scene() {
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/fig11.toml");
     let out = TempDir::new().unwrap();
     let assert = command.arg("run").arg(scene).arg("--out").arg(out.path()).assert().code(2);

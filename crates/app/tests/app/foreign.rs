@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use tempfile::TempDir;
 
 /// All files and folders below one.
@@ -27,7 +27,7 @@ fn put(path: &Path, text: &str) {
 }
 
 fn topple(arguments: &[&str], out: &Path) -> Command {
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     command.args(arguments).args(["--backend", "cpu", "--out"]).arg(out);
     command
 }
@@ -128,12 +128,7 @@ fn a_file_of_a_runs_name_that_no_run_wrote_is_refused() {
         let out = place.path().join("out");
         // `suite` has no backend.
         let run = |out: &Path| match name {
-            "suite" => Command::cargo_bin("topple")
-                .unwrap()
-                .args(&arguments)
-                .arg("--out")
-                .arg(out)
-                .assert(),
+            "suite" => Command::topple().args(&arguments).arg("--out").arg(out).assert(),
             _ => topple(&arguments, out).assert(),
         };
         run(&out).success();
@@ -270,11 +265,7 @@ fn a_scene_is_saved_over_nothing() {
     ] {
         let file = place.path().join(name).display().to_string();
         let scene = ["seismic", "--object", "1", "--t-h", "1:3:4", "--t-v", "0.05:0.4:4"];
-        let run = Command::cargo_bin("topple")
-            .unwrap()
-            .args(scene)
-            .args(["--save-scene", &file])
-            .assert();
+        let run = Command::topple().args(scene).args(["--save-scene", &file]).assert();
         let told = String::from_utf8(run.code(2).get_output().stderr.clone()).unwrap();
         assert!(told.lines().count() == 1 && told.contains(said), "{told}");
         assert_eq!(tree(place.path()), before);
@@ -291,7 +282,7 @@ fn files_have_the_rights_that_the_mask_leaves() {
     {
         let place = TempDir::new().unwrap();
         let out = place.path().join("out");
-        let binary = assert_cmd::cargo::cargo_bin("topple");
+        let binary = crate::common::command::program();
         let run = std::process::Command::new("sh")
             .args(["-c", &format!("umask {mask}; exec \"$0\" \"$@\"")])
             .arg(&binary)

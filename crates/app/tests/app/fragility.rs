@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::common::command::Assert;
+use crate::common::command::Command;
 use approx::assert_relative_eq;
-use assert_cmd::Command;
-use assert_cmd::assert::Assert;
 use tempfile::TempDir;
 use topple::scene::Parameter;
 use topple::scene::builder::SceneBuilder;
@@ -28,7 +28,7 @@ pub fn number(row: &Row, column: &str) -> f64 {
 
 pub fn topple(arguments: &[&str]) -> Assert {
     let fixed = ["--backend", "cpu", "--precision", "f64"];
-    Command::cargo_bin("topple").unwrap().args(arguments).args(fixed).assert()
+    Command::topple().args(arguments).args(fixed).assert()
 }
 
 pub fn said(run: &Assert) -> String {

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use crate::common::command::Assert;
 use approx::assert_relative_eq;
-use assert_cmd::assert::Assert;
 
 use crate::fragility::{BASE, number, refusal, rows, said, suite, topple, within};
 

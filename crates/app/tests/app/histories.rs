@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use tempfile::TempDir;
 
 use crate::common::refused;
@@ -11,12 +11,7 @@ use crate::common::refused;
 const CELL: &str = "history --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --a-v 0.5 --omega 9 --a-h 8.4 --precision f64";
 
 fn run(line: &str, out: &Path) -> String {
-    let run = Command::cargo_bin("topple")
-        .unwrap()
-        .args(line.split_whitespace())
-        .arg("--out")
-        .arg(out)
-        .output();
+    let run = Command::topple().args(line.split_whitespace()).arg("--out").arg(out).output();
     let run = run.unwrap();
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
     String::from_utf8(run.stdout).unwrap()

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::time::Duration;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use proptest::prelude::*;
 use proptest::sample::select;
 use proptest::test_runner::{Config, TestRunner};
@@ -283,7 +283,7 @@ fn any_argument_list_is_refused_or_runs() {
         ..Config::with_cases(ARGUMENT_LISTS)
     });
     let outcome = runner.run(&arguments(), |list| {
-        let run = Command::new(env!("CARGO_BIN_EXE_topple"))
+        let run = Command::topple()
             .args(&list)
             // Runs leave their files below; each begins with nothing.
             .current_dir(TempDir::new_in(directory.path()).unwrap().keep())

@@ -1,6 +1,6 @@
 //! The table of parameters: flags, keys, help and the page are made of it.
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use tempfile::TempDir;
 use topple::results::columns::{self, TABLE};
 use topple::scene::builder::SceneBuilder;
@@ -27,8 +27,7 @@ fn the_pages_are_made_of_the_tables() {
 #[test]
 fn every_number_is_a_flag_and_a_key() {
     let help = |command: &str| {
-        let run =
-            Command::cargo_bin("topple").unwrap().args([command, "--help"]).assert().success();
+        let run = Command::topple().args([command, "--help"]).assert().success();
         String::from_utf8(run.get_output().stdout.clone()).unwrap()
     };
     let [pulse, seismic, history] = ["pulse", "seismic", "history"].map(help);
@@ -53,7 +52,7 @@ fn every_number_is_a_flag_and_a_key() {
 }
 
 /// A scene's arguments, some of them replaced.
-fn run(more: &[&str]) -> assert_cmd::assert::Assert {
+fn run(more: &[&str]) -> crate::common::command::Assert {
     let directory = TempDir::new().unwrap();
     let good = [
         ("--half-width", "0.2"),
@@ -71,7 +70,7 @@ fn run(more: &[&str]) -> assert_cmd::assert::Assert {
         }
     }
     list.extend(more);
-    Command::cargo_bin("topple").unwrap().args(list).current_dir(directory.path()).assert()
+    Command::topple().args(list).current_dir(directory.path()).assert()
 }
 
 fn refused(more: &[&str], said: &[&str]) {
@@ -132,7 +131,7 @@ fn head(more: &[&str]) -> String {
     let directory = TempDir::new().unwrap();
     let mut list = vec!["pulse", "--backend", "cpu", "--quiet", "--object", "1", "--t-v", "0.75"];
     list.extend(more);
-    let mut run = Command::cargo_bin("topple").unwrap();
+    let mut run = Command::topple();
     run.args(list).current_dir(directory.path()).assert().success();
     let out = directory.path().join("topple-out");
     let picture = std::fs::read_to_string(out.join("map.svg")).unwrap();
@@ -182,7 +181,7 @@ fn no_number_has_the_name_of_a_column() {
 /// The scene to start from is the default scene, and has every key there is, each with what it means.
 #[test]
 fn a_scene_to_start_from() {
-    let run = Command::cargo_bin("topple").unwrap().arg("scene").assert().success();
+    let run = Command::topple().arg("scene").assert().success();
     let text = String::from_utf8(run.get_output().stdout.clone()).unwrap();
     let of = |text: &str| SceneBuilder::from_toml(text).unwrap().check().unwrap();
     let default = include_str!("../../../../scenes/default.toml");

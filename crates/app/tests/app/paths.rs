@@ -6,13 +6,13 @@ use std::fs;
 use std::os::unix::ffi::OsStrExt;
 use std::path::{Path, PathBuf};
 
-use assert_cmd::Command;
-use assert_cmd::assert::Assert;
+use crate::common::command::Assert;
+use crate::common::command::Command;
 use serde_json::Value;
 use tempfile::TempDir;
 
 fn topple(arguments: &[&str], paths: &[(&str, &Path)]) -> Assert {
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     command.args(arguments);
     for (flag, path) in paths {
         if !flag.is_empty() {
@@ -146,7 +146,7 @@ fn words_that_are_no_text_are_refused_in_one_line() {
         &[text("pulse"), OsStr::from_bytes(b"--t-h=\xff")],
     ];
     for words in lines {
-        let run = Command::cargo_bin("topple").unwrap().args(words).assert().code(2);
+        let run = Command::topple().args(words).assert().code(2);
         let said = String::from_utf8(run.get_output().stderr.clone()).unwrap();
         assert_eq!(said.lines().count(), 1, "{words:?}: {said}");
         assert!(said.contains('\u{fffd}'), "{words:?}: {said}");

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use tempfile::TempDir;
 
 use super::common::refused;
@@ -13,7 +13,7 @@ use super::fragility::{BASE, suite};
 const MILLIMETRE: f64 = 72.0 / 25.4;
 
 fn topple(arguments: &[&str], out: &Path) {
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     command.args(arguments).arg("--out").arg(out).arg("--quiet").assert().success();
 }
 
@@ -557,21 +557,21 @@ fn spectra_are_the_least_values_that_lift_and_overturn() {
 fn letters_that_no_font_has_are_said() {
     let place = TempDir::new().unwrap();
     let (map, report) = (place.path().join("map"), place.path().join("report.pdf"));
-    let warned = |run: assert_cmd::assert::Assert| {
+    let warned = |run: crate::common::command::Assert| {
         let said = String::from_utf8(run.success().get_output().stderr.clone()).unwrap();
         said.lines().filter(|line| line.contains("U+10FFFD")).map(String::from).collect::<Vec<_>>()
     };
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     let title = ["--title", "Statue \u{10fffd}", "--spectrum", "--verify", "none", "--out"];
     let said = warned(command.args(MAP).args(title).arg(&map).assert());
     assert!(said.len() == 1 && said[0].contains("of \"Statue \u{10fffd}\""), "{said:?}");
     let run: serde_json::Value =
         serde_json::from_slice(&fs::read(map.join("run.json")).unwrap()).unwrap();
     assert!(run["warnings"][0].as_str().unwrap().contains("U+10FFFD"), "{run}");
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     let said = warned(command.arg("report").arg(&map).arg("--out").arg(&report).assert());
     assert_eq!(said.len(), 1, "{said:?}");
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     let page = place.path().join("report.html");
     let said = warned(command.arg("report").arg(&map).arg("--out").arg(&page).assert());
     assert!(said.is_empty(), "{said:?}");
@@ -579,7 +579,7 @@ fn letters_that_no_font_has_are_said() {
     let (folder, list) = suite();
     let devices = folder.path().join("devices.csv");
     fs::write(&devices, "device,isolation\nfirst \u{10fffd},none\nsecond,none\n").unwrap();
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     command.arg("compare").arg(&devices).args(["--object", "1", "--suite", &list]);
     command.args(["--verify", "none", "--backend", "cpu", "--out"]).arg(folder.path().join("out"));
     let said = warned(command.assert());

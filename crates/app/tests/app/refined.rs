@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use serde_json::Value;
 use tempfile::TempDir;
 use topple::backend::ready::Backend;
@@ -218,7 +218,7 @@ fn the_bound_of_what_is_missed_holds_as_often_as_it_says() {
 }
 
 fn pulse(out: &Path, more: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     command.args(["pulse", "--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--t-max", "6"]);
     command.args(["--eccentricity", "0.2", "--omega", "1:12:12", "--a-h", "1:12:11"]);
     command.args(["--backend", "cpu", "--verify", "none", "--out"]).arg(out).args(more);
@@ -304,7 +304,7 @@ fn the_command_writes_pictures_and_leaves() {
 #[test]
 fn the_height_of_a_leaf_and_that_of_the_block_have_names_of_their_own() {
     let dir = TempDir::new().unwrap();
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     command.args([
         "pulse",
         "--half-width",

@@ -3,14 +3,14 @@
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use tempfile::TempDir;
 
 use super::fragility::{suite, within};
 
 /// What a command in a folder warns of: on stderr, and in its run.json, which are the same.
 pub fn warned(place: &TempDir, arguments: &[&str], out: &str) -> Vec<String> {
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     let fixed = ["--backend", "cpu", "--verify", "none", "--out", out];
     // A history verifies nothing.
     let fixed = if arguments[0] == "history" { &fixed[4..] } else { &fixed[..] };

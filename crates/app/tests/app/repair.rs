@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use rayon::prelude::*;
 use serde_json::Value;
 use tempfile::TempDir;
@@ -84,7 +84,7 @@ fn write_record(folder: &Path) {
 }
 
 fn run(arguments: &[&str], folder: &Path, out: &Path) -> (String, Value) {
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     command.current_dir(folder).args(["seismic", "--object", "1", "--eccentricity", "0.2"]);
     command.args(["--horizontal", "h.txt", "--vertical", "v.txt", "--dt", "0.01"]);
     command.args(["--units", "m/s2", "--t-h", "0.5:4:24", "--t-v", "0.03:0.12:24", "--scale", "2"]);
@@ -109,7 +109,7 @@ fn the_command_repairs_and_says_it_and_so_does_a_merge() {
     assert!(repaired["changed"].as_u64().unwrap() >= 3, "{repaired}");
     run(&["--repair", "--tile", "1/2"], "shards");
     run(&["--repair", "--tile", "2/2"], "shards");
-    let mut merge = Command::cargo_bin("topple").unwrap();
+    let mut merge = Command::topple();
     merge.arg("merge").arg(at("shards")).args(["--files", "csv,zarr", "--quiet", "--out"]);
     merge.arg(at("joined")).args(["--verify", "none"]).assert().success();
     let read = |folder: &str, name: &str| std::fs::read(at(folder).join(name)).unwrap();

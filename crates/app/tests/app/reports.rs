@@ -3,14 +3,14 @@
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use tempfile::TempDir;
 
 use super::common::refused;
 use super::fragility::suite;
 
-fn topple(place: &TempDir, arguments: &[&str]) -> assert_cmd::assert::Assert {
-    let mut command = Command::cargo_bin("topple").unwrap();
+fn topple(place: &TempDir, arguments: &[&str]) -> crate::common::command::Assert {
+    let mut command = Command::topple();
     command.current_dir(place.path()).args(arguments).assert()
 }
 

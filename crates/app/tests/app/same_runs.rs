@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use tempfile::TempDir;
 
 use super::fragility::{Row, number, rows, suite};
@@ -12,7 +12,7 @@ use super::fragility::{Row, number, rows, suite};
 fn topple(place: &TempDir, arguments: &str) {
     let fixed = "--suite list.csv --verify none --backend cpu --quiet --force";
     let words = arguments.split(' ').chain(fixed.split(' '));
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     command.current_dir(place.path()).args(words).assert().success();
 }
 
@@ -157,7 +157,7 @@ fn every_command_says_what_computed_it() {
     topple(&place, &format!("envelope {base} --out envelope"));
     topple(&place, &format!("fragility {base} --levels 1,2 --bootstrap 39 --out fragility"));
     topple(&place, "compare devices.csv --object 1 --u-y 0.01 --t-v 0.5 --threads 2 --out compare");
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     let suite = command.current_dir(place.path()).args(["suite", "list.csv", "--out", "suite"]);
     suite.assert().success();
     for (name, precision) in

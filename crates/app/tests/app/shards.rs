@@ -7,7 +7,7 @@ use std::sync::Barrier;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use serde_json::Value;
 use tempfile::TempDir;
 use topple::backend::backend_error::BackendError;
@@ -293,7 +293,7 @@ const GRID: [&str; 4] = ["--omega", "1:12:30", "--a-h", "1:12:31"];
 
 /// The command, on a small map.
 fn pulse(out: &Path, more: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     command
         .args(["pulse", "--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--t-max", "6"])
         .args(["--quiet", "--out"])
@@ -309,7 +309,7 @@ fn shard(out: &Path, shard: &str, more: &[&str]) {
 }
 
 fn merge(shards: &[PathBuf], out: &Path) -> Command {
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     command.arg("merge").args(shards).args(["--quiet", "--out"]).arg(out);
     command
 }
@@ -375,7 +375,7 @@ fn merged_shards_have_spectra() {
     let other = dir.path().join("other");
     for k in ["1/2", "2/2"] {
         let grid = ["--t-h", "1:2:4", "--t-v", "0.5:1:4", "--omega", "5", "--a-h", "3"];
-        let mut command = Command::cargo_bin("topple").unwrap();
+        let mut command = Command::topple();
         command.args(["pulse", "--object", "1", "--t-max", "6", "--quiet", "--backend", "cpu"]);
         command.args(grid).args(["--tile", k, "--out"]).arg(&other).assert().success();
     }
@@ -390,7 +390,7 @@ fn merged_shards_have_spectra() {
 fn shards_may_come_from_different_backends() {
     let dir = TempDir::new().unwrap();
     let seismic = |out: &Path, more: &[&str]| {
-        let mut command = Command::cargo_bin("topple").unwrap();
+        let mut command = Command::topple();
         command.args(["seismic", "--object", "1", "--t-h", "0.5:4:7", "--t-v", "0.001:2:6"]);
         command.args(["--quiet", "--out"]).arg(out).args(more).assert().success();
     };

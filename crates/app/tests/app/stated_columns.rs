@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
+use crate::common::command::Command;
 use approx::assert_abs_diff_eq;
-use assert_cmd::Command;
 use tempfile::TempDir;
 use topple::scene::record::{Component, Record, RecordFile, RecordHints, Units, joined, read};
 
@@ -240,7 +240,7 @@ fn a_history_says_what_was_made_of_a_sign() {
         file("v.txt", &format!("{heading}\nTime (s) UD (m/s2)"), 2.0);
         let cell = ["history", "--object", "1", "--t-h", "1", "--t-v", "0.5", "--out", "out"];
         let files = ["--horizontal", "h.txt", "--vertical", "v.txt"];
-        let mut command = Command::cargo_bin("topple").unwrap();
+        let mut command = Command::topple();
         let run = command.current_dir(place.path()).args(cell).args(files).assert().success();
         let told = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
         let told = told.split_whitespace().collect::<Vec<_>>().join(" ");

@@ -4,8 +4,8 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
+use crate::common::command::Command;
 use approx::assert_relative_eq;
-use assert_cmd::Command;
 use tempfile::TempDir;
 use topple::scene::record::Baseline;
 use topple_studies::suites::read::Reading;
@@ -153,8 +153,7 @@ fn a_list_names_channels_of_one_file() {
 
 fn told(path: &Path, more: &[&str]) -> (i32, String) {
     let out = TempDir::new().unwrap();
-    let run = Command::cargo_bin("topple")
-        .unwrap()
+    let run = Command::topple()
         .arg("suite")
         .arg(path)
         .args(more)
@@ -558,14 +557,7 @@ fn results_in_the_folder_of_a_suite_are_no_table() {
     put(folder.path(), "B090.AT2", Some(90));
     put(folder.path(), "B-UP.AT2", None);
     let suite = |out: &Path| {
-        Command::cargo_bin("topple")
-            .unwrap()
-            .arg("suite")
-            .arg(folder.path())
-            .arg("--out")
-            .arg(out)
-            .assert()
-            .success()
+        Command::topple().arg("suite").arg(folder.path()).arg("--out").arg(out).assert().success()
     };
     suite(&folder.path().join("out"));
     let read = Suite::read(folder.path(), false).unwrap();

@@ -6,8 +6,8 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
+use crate::common::command::Command;
 use approx::assert_relative_eq;
-use assert_cmd::Command;
 use tempfile::TempDir;
 use topple::scene::GRAVITY;
 use topple::scene::record::{Pair, Record};
@@ -458,14 +458,8 @@ fn copies_count_once() {
     );
 }
 
-fn suite(arguments: &[&str], out: &Path) -> assert_cmd::assert::Assert {
-    Command::cargo_bin("topple")
-        .unwrap()
-        .arg("suite")
-        .args(arguments)
-        .arg("--out")
-        .arg(out)
-        .assert()
+fn suite(arguments: &[&str], out: &Path) -> crate::common::command::Assert {
+    Command::topple().arg("suite").args(arguments).arg("--out").arg(out).assert()
 }
 
 #[test]
@@ -491,7 +485,7 @@ fn the_command_writes_a_table_and_tells_what_is_missing() {
     let sha = json["records"]["RSN1_QUAKE_TWN000"]["horizontal"]["sha256"].as_str().unwrap();
     assert_eq!(sha.len(), 64);
 
-    let again = Command::cargo_bin("topple").unwrap().arg("run").arg(out.path()).assert().code(2);
+    let again = Command::topple().arg("run").arg(out.path()).assert().code(2);
     let line = String::from_utf8(again.get_output().stderr.clone()).unwrap();
     assert!(line.contains("a suite is no scene; read it again by topple suite"), "{line}");
     let made = out.path().join("made");
@@ -530,8 +524,8 @@ fn rows(path: &Path) -> Vec<BTreeMap<String, String>> {
     csv::Reader::from_path(path).unwrap().deserialize().map(Result::unwrap).collect()
 }
 
-fn topple(arguments: &[&str]) -> assert_cmd::assert::Assert {
-    Command::cargo_bin("topple").unwrap().args(arguments).args(["--backend", "cpu"]).assert()
+fn topple(arguments: &[&str]) -> crate::common::command::Assert {
+    Command::topple().args(arguments).args(["--backend", "cpu"]).assert()
 }
 
 /// Cells enough that they share their motions under a suite as in a map.

@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use tempfile::TempDir;
 
 use crate::common::refused;
@@ -31,8 +31,7 @@ fn json(path: &Path) -> serde_json::Value {
 const CELL: [&str; 8] = ["history", "--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--quiet"];
 
 fn history(more: &[&str], out: &Path) {
-    let run =
-        Command::cargo_bin("topple").unwrap().args(CELL).args(more).arg("--out").arg(out).output();
+    let run = Command::topple().args(CELL).args(more).arg("--out").arg(out).output();
     let run = run.unwrap();
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
 }
@@ -71,19 +70,12 @@ fn what_is_made_of_a_record_is_in_run_json_and_made_again() {
     for (name, flags) in [("turned", &turned[..]), ("joined", &joined[..])] {
         let toml = at(&format!("{name}.toml"));
         let saved = ["--save-scene", toml.to_str().unwrap()];
-        let save =
-            Command::cargo_bin("topple").unwrap().args(CELL).args(flags).args(saved).output();
+        let save = Command::topple().args(CELL).args(flags).args(saved).output();
         assert!(save.unwrap().status.success());
         let first = fs::read(at(name).join("history.csv")).unwrap();
         for (source, command) in [(at(name), "run"), (toml, "history")] {
             let out = at("again");
-            let run = Command::cargo_bin("topple")
-                .unwrap()
-                .arg(command)
-                .arg(&source)
-                .arg("--out")
-                .arg(&out)
-                .output();
+            let run = Command::topple().arg(command).arg(&source).arg("--out").arg(&out).output();
             let run = run.unwrap();
             assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
             assert_eq!(fs::read(out.join("history.csv")).unwrap(), first, "{name} {command}");
@@ -115,14 +107,8 @@ fn an_offset_is_warned_of_and_a_line_takes_it_away() {
     let off = on_offset(folder.path(), "off.csv", 0.3);
     let run = |more: &[&str], out: &str| {
         let base = ["--u-y", "0.01", "--psi", "0.1", "--xi-h", "0"];
-        let run = Command::cargo_bin("topple")
-            .unwrap()
-            .args(CELL)
-            .args(base)
-            .args(more)
-            .arg("--out")
-            .arg(at(out))
-            .output();
+        let run =
+            Command::topple().args(CELL).args(base).args(more).arg("--out").arg(at(out)).output();
         let run = run.unwrap();
         let said = String::from_utf8(run.stderr).unwrap();
         assert!(run.status.success(), "{said}");
@@ -145,13 +131,7 @@ fn an_offset_is_warned_of_and_a_line_takes_it_away() {
     assert_eq!(manifest["record"]["treatment"]["baseline"], "line");
     // From its results it is the same motion, to the byte.
     let first = fs::read(at("line").join("history.csv")).unwrap();
-    let again = Command::cargo_bin("topple")
-        .unwrap()
-        .arg("run")
-        .arg(at("line"))
-        .arg("--out")
-        .arg(at("again"))
-        .output();
+    let again = Command::topple().arg("run").arg(at("line")).arg("--out").arg(at("again")).output();
     assert!(again.unwrap().status.success());
     assert_eq!(fs::read(at("again").join("history.csv")).unwrap(), first);
     // In a scene's file, and refused there and here.
@@ -160,13 +140,7 @@ fn an_offset_is_warned_of_and_a_line_takes_it_away() {
                 horizontal = \"off.csv\"\nbaseline = \"line\"\n";
     fs::write(&scene, text).unwrap();
     let history = |scene: &Path, out: &Path| {
-        let run = Command::cargo_bin("topple")
-            .unwrap()
-            .args(["history"])
-            .arg(scene)
-            .arg("--out")
-            .arg(out)
-            .output();
+        let run = Command::topple().args(["history"]).arg(scene).arg("--out").arg(out).output();
         run.unwrap()
     };
     assert!(history(&scene, &at("file")).status.success());
@@ -242,7 +216,7 @@ fn a_factor_that_no_ground_has_is_refused_and_forced() {
     let huge = refused(&["--scale", "1e308", "--force"]);
     assert!(huge.contains("--scale: the factor"), "{huge}");
     for more in [&["--scale", "25"][..], &["--scale", "150", "--force"]] {
-        let run = Command::cargo_bin("topple").unwrap().args(of(more)).output().unwrap();
+        let run = Command::topple().args(of(more)).output().unwrap();
         assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
     }
 }
@@ -265,14 +239,7 @@ fn a_floor_bears_the_synthetic_pair_too() {
         "cpu",
     ];
     let run = |more: &[&str]| {
-        Command::cargo_bin("topple")
-            .unwrap()
-            .args(line)
-            .args(more)
-            .arg("--out")
-            .arg(&out)
-            .output()
-            .unwrap()
+        Command::topple().args(line).args(more).arg("--out").arg(&out).output().unwrap()
     };
     let ran = run(&["--floor-period", "0.4"]);
     assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use serde_json::Value;
 use tempfile::TempDir;
 use topple::backend::request::BackendRequest;
@@ -176,7 +176,7 @@ const SCENE: [&str; 13] = [
 ];
 
 fn run(arguments: &[&str], out: &Path) -> String {
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     let more = ["--backend", "cpu", "--verify", "none", "--out"];
     command.args(arguments).args(more).arg(out);
     String::from_utf8(command.assert().success().get_output().stdout.clone()).unwrap()
@@ -314,7 +314,7 @@ fn an_interrupted_run_leaves_nothing() {
     use std::time::Duration;
     let place = TempDir::new().unwrap();
     let out = place.path().join("out");
-    let mut run = Command::new(assert_cmd::cargo::cargo_bin("topple"))
+    let mut run = Command::new(crate::common::command::program())
         .args(["pulse", "--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--omega", "0.2:15:400"])
         .args(["--a-h", "0.1:15:400", "--pixel", "--samples", "4096", "--verify", "none"])
         .args(["--backend", "cpu", "--out"])

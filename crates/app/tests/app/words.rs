@@ -2,13 +2,13 @@
 
 use std::fs;
 
-use assert_cmd::Command;
+use crate::common::command::Command;
 use tempfile::TempDir;
 
 use crate::common::refused;
 
 fn topple(arguments: &[&str]) -> Command {
-    let mut command = Command::cargo_bin("topple").unwrap();
+    let mut command = Command::topple();
     command.args(arguments);
     command
 }
@@ -256,7 +256,7 @@ fn a_full_disk_is_no_success() {
     use std::process::{Command, Stdio};
     for arguments in [&["scene"][..], &["licences"], &["man"], &["completions", "bash"]] {
         let full = fs::File::options().write(true).open("/dev/full").unwrap();
-        let program = assert_cmd::cargo::cargo_bin("topple");
+        let program = crate::common::command::program();
         let run = Command::new(program).args(arguments).stdout(Stdio::from(full)).output().unwrap();
         assert_eq!(run.status.code(), Some(1), "{arguments:?}");
         assert!(String::from_utf8_lossy(&run.stderr).contains("No space left"), "{arguments:?}");

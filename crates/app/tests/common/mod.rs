@@ -9,7 +9,9 @@ use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
-use assert_cmd::Command;
+pub mod command;
+
+use command::Command;
 pub use engine::*;
 
 /// The names in a directory, in their order.
@@ -27,7 +29,7 @@ pub fn names(directory: &Path) -> Vec<String> {
 pub fn own_lines(stderr: &str) -> Vec<String> {
     static DRIVERS: LazyLock<Vec<String>> = LazyLock::new(|| {
         // A command that says nothing itself but where it fails.
-        let run = Command::cargo_bin("topple").unwrap().arg("adapters").assert().success();
+        let run = Command::topple().arg("adapters").assert().success();
         lines(&String::from_utf8_lossy(&run.get_output().stderr))
     });
     lines(stderr).into_iter().filter(|line| !DRIVERS.contains(line)).collect()
@@ -45,7 +47,7 @@ fn lines(text: &str) -> Vec<String> {
 
 /// The line that a command is refused with, status 2.
 pub fn refused(arguments: &[&str]) -> String {
-    let run = Command::cargo_bin("topple").unwrap().args(arguments).assert().code(2);
+    let run = Command::topple().args(arguments).assert().code(2);
     let said = String::from_utf8(run.get_output().stderr.clone()).unwrap();
     assert_eq!(said.lines().count(), 1, "{said}");
     said
