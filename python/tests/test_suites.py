@@ -221,6 +221,10 @@ def test_a_hazard_curve_in_g_is_read_in_g(records):
     for key, value in (("hazard_units", "ft"), ("resample", "day")):
         with pytest.raises(ValueError, match=f"^{key}: {value} is not known"):
             topple.fragility(records / "list.csv", **scene, **asked, **{key: value})
+    for heading, said in (("PGA [g],PoE50", "line 1, column PoE50: says no annual rate"), ("PSA [g],rate", "these are no levels of pga")):
+        (records / "site.csv").write_text(f"{heading}\n0.05,0.05\n2,0.0001\n")
+        with pytest.raises(ValueError, match=f"^hazard: .*{said}"):
+            topple.fragility(records / "list.csv", **scene, **asked)
 
 
 def test_levels_in_g(records):
@@ -352,6 +356,13 @@ def test_compare(command, records, tmp_path):
         topple.compare([devices[0], devices[0]], records / "list.csv", **shared)
     with pytest.raises(ValueError, match=r"^devices: line 1, column periode: no key"):
         topple.compare([{"device": "a", "periode": 1.0}], records / "list.csv", **shared)
+    # A number that may be either of two is none; text with a decimal sign is one, and a name may begin as a comment does.
+    known = {"isolation": "horizontal", "radius": 1.5, "mu": 0.06, "stop_gap": 0.05}
+    with pytest.raises(ValueError, match=r"^devices: line 2, column stop_stiffness: '200,000' may be 200000 or 200"):
+        topple.compare([{"device": "a", **known, "stop_stiffness": "200,000"}], records / "list.csv", **shared)
+    named = [{"device": "# 1", **known, "stop_stiffness": "2e5"}, {"device": "#2", **known, "stop_stiffness": 200000.125}]
+    found = topple.compare(named, records / "list.csv", **shared, verify=0)
+    assert found["device"].values.tolist() == ["# 1", "#2"]
     with pytest.raises(ValueError, match=r"^devices: give the path"):
         topple.compare(devices[0], records / "list.csv", **shared)
     with pytest.raises(ValueError, match=r"^levels: it says the levels of hazard's measure; give hazard, too"):

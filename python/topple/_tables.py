@@ -67,7 +67,8 @@ def written(devices: Any) -> str:
     rows = list(rows)
     keys = list(dict.fromkeys(key for row in rows for key in row))
     text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
+    # Within quotes a name may begin with what begins a comment.
+    table = csv.writer(text, lineterminator="\n", quoting=csv.QUOTE_ALL)
     table.writerow(keys)
     for row in rows:
         table.writerow([_field(row.get(key)) for key in keys])

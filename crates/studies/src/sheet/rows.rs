@@ -107,8 +107,9 @@ impl<'a> Rows<'a> {
         }
         self.end_line();
         let (true, [line]) = (self.wrapped, &row.cells[..]) else { return Ok(row) };
-        let inner = Rows { rest: line, line: row.line, separator: self.separator, wrapped: false };
-        let cells = inner.clone().next().transpose()?.map_or_else(Vec::new, |row| row.cells);
+        let mut inner =
+            Rows { rest: line, line: row.line, separator: self.separator, wrapped: false };
+        let cells = inner.row()?.cells;
         let cells = cells.into_iter().map(|cell| Cow::Owned(cell.into_owned())).collect();
         Ok(Row { line: row.line, cells })
     }
@@ -241,6 +242,7 @@ mod tests {
                 vec![(1, vec!["a", "b"]), (2, vec!["1", "x, y"]), (3, vec!["2", "3"])],
             ),
             ("\"a\",\"b\"\n", vec![(1, vec!["a", "b"])]),
+            ("\"a,b\"\n\"#1,2\"\n", vec![(1, vec!["a", "b"]), (2, vec!["#1", "2"])]),
             ("0,005;0,25\n", vec![(1, vec!["0,005", "0,25"])]),
             (" 1  2\t\n", vec![(1, vec!["1  2", ""])]),
             (" 1.0E-03   2.0\n", vec![(1, vec!["1.0E-03", "2.0"])]),
