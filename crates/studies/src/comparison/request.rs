@@ -128,7 +128,8 @@ impl ComparisonRequest {
             self.devices.iter().map(|device| self.of(device)).collect();
         let (mut all, mut shaken) = (Vec::with_capacity(requests.len()), Vec::new());
         for (device, request) in self.devices.iter().zip(&requests) {
-            let mut motions = request.motions(suite).map_err(SweepError::from)?;
+            let motions = request.motions(suite);
+            let mut motions = motions.map_err(|error| device.refused(&error))?;
             if let Some(first) = motions.first() {
                 let scene = first.under(&request.scene).map_err(|error| device.refused(&error))?;
                 if let Some(axis) = Grid::of(&scene).axes().iter().find(|axis| axis.count() > 1) {
