@@ -55,8 +55,8 @@ pub struct CompareCommand {
     intervals: IntervalFlags,
     #[command(flatten)]
     pub hazard: HazardFlags,
-    /// With --hazard: the intensity measure of the hazard curve, of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or pga*,
-    /// pgv* relative to the block [default: pga]
+    /// With --hazard: the intensity measure of the hazard curve, of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or 'pga*',
+    /// 'pgv*' (in quotes for a shell) relative to the block [default: pga]
     #[arg(long, value_name = "MEASURE", help_heading = "Fragility", requires = "hazard")]
     im: Option<Intensity>,
     /// With --hazard: levels of the measure to which each motion is scaled, in SI units [default: each motion as it is]
@@ -163,11 +163,14 @@ impl CompareCommand {
         self.motions.tell_of_scene(&scenes, &say);
         told::levels(self.levels.as_ref(), im, &say);
         if let Some(scales) = &self.scales {
-            say.line("factors", topple::scene::words::values(scales, |numbers| numbers.to_string()));
+            say.line(
+                "factors",
+                topple::scene::words::values(scales, |numbers| numbers.to_string()),
+            );
         }
         self.tell_of_devices(&settings.devices, &scenes, &say)?;
         let times = Times::devices(settings.devices.len());
-        let Some(swept) = self.motions.run(sweep, times, options, &say)? else {
+        let Some((swept, computed)) = self.motions.run(sweep, times, options, &say)? else {
             return Ok(());
         };
         let mut out = place.open()?;
@@ -205,7 +208,7 @@ impl CompareCommand {
         }
         let named = settings.devices.iter().zip(scenes);
         let manifest = Manifest {
-            suite: self.motions.manifest(&compared.sweep, (&suite, options)),
+            suite: self.motions.manifest((&compared.sweep, &computed), (&suite, options)),
             list: &self.devices,
             devices: named.map(|(one, scene)| Of { device: &one.name, scene }).collect(),
             standing: limits.standing,

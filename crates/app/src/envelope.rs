@@ -118,7 +118,7 @@ impl EnvelopeCommand {
         self.motions.tell_of_scene(std::slice::from_ref(&sweep.scene), &say);
         suite_run::tell_of_base(&sweep, options)?;
         let times = Times::points(settings.times);
-        let Some(swept) = self.motions.run(sweep, times, options, &say)? else {
+        let Some((swept, computed)) = self.motions.run(sweep, times, options, &say)? else {
             return Ok(());
         };
         let mut out = place.open()?;
@@ -145,7 +145,7 @@ impl EnvelopeCommand {
         warn_of_falling(down.iter().step_by(envelope.settings.times.max(1)).flatten());
         suite_run::warn_of_radius(swept);
         let manifest = Manifest {
-            suite: self.motions.manifest(swept, (&suite, options)),
+            suite: self.motions.manifest((swept, &computed), (&suite, options)),
             standing: limits.standing,
             limit_u: limits.u,
             limit_v: limits.v,

@@ -203,7 +203,8 @@ mod tests {
         let (_, examples) = help.split_once("Examples:").unwrap_or_default();
         let joined = examples.replace("\\\n", " ");
         // What it does stands after it where there is room.
-        let command = |line: &str| line.trim().split("     ").next().unwrap_or_default().to_string();
+        let command =
+            |line: &str| line.trim().split("     ").next().unwrap_or_default().to_string();
         let commands = joined.lines().map(command);
         commands.filter(|line| line == "topple" || line.starts_with("topple ")).collect()
     }
@@ -217,7 +218,10 @@ mod tests {
         for command in helps.flat_map(|help| commands(&help)) {
             // Outside of quotes no letter means something to a shell; within them all are as they stand.
             let plain = command.split('\'').step_by(2);
-            assert!(!plain.clone().any(|part| part.contains(['(', '*', '?', '[', '$'])), "{command}");
+            assert!(
+                !plain.clone().any(|part| part.contains(['(', '*', '?', '[', '$'])),
+                "{command}"
+            );
             let words = command.split_whitespace().map(|word| word.trim_matches('\''));
             let parsed = Arguments::try_parse_from(words);
             assert!(parsed.is_ok(), "{command}: {}", parsed.err().unwrap());
@@ -259,7 +263,10 @@ mod tests {
         }
         // Without other headings around they are options.
         assert_eq!(of(&whole, "resume"), None);
-        assert_eq!(of(whole.find_subcommand("history").unwrap(), "columns").as_deref(), Some("Computing"));
+        assert_eq!(
+            of(whole.find_subcommand("history").unwrap(), "columns").as_deref(),
+            Some("Computing")
+        );
     }
 
     #[test]

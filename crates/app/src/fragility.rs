@@ -48,8 +48,8 @@ pub struct FragilityCommand {
     record: RecordNumbers,
     #[command(flatten)]
     pub motions: SuiteFlags,
-    /// Intensity measure of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or pga*, pgv*
-    /// relative to the block
+    /// Intensity measure of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or 'pga*', 'pgv*'
+    /// (in quotes for a shell) relative to the block
     #[arg(long, value_name = "MEASURE", default_value = "pga", help_heading = "Fragility")]
     im: Intensity,
     /// Levels of the measure to which each motion is scaled, in SI units [default: each motion as it is]
@@ -200,7 +200,7 @@ impl FragilityCommand {
         told::levels(self.levels.as_ref(), self.im, &say);
         suite_run::tell_of_base(&sweep, options)?;
         let times = Times::points(settings.times);
-        let Some(swept) = self.motions.run(sweep, times, options, &say)? else {
+        let Some((swept, computed)) = self.motions.run(sweep, times, options, &say)? else {
             return Ok(());
         };
         let cells = swept.grid.len();
@@ -251,7 +251,7 @@ impl FragilityCommand {
         let empty = self.exports().filter(|export| export.is_empty(&study));
         empty.for_each(|export| words::warn(told::without_curves(export)));
         let manifest = Manifest {
-            suite: self.motions.manifest(swept, (&suite, options)),
+            suite: self.motions.manifest((swept, &computed), (&suite, options)),
             im: self.im,
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
             limit_states: &study.settings.states,

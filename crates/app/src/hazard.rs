@@ -8,8 +8,8 @@ use topple_studies::fragility::{HazardText, hazard, hazard_text};
 use topple_studies::suites::intensity::Intensity;
 
 use super::inputs::{self, InputReader};
-use super::{InputError, words};
 use super::written::one_of;
+use super::{InputError, words};
 
 /// The flags of the hazard curve.
 #[derive(clap::Args)]

@@ -17,7 +17,7 @@ use super::disk::{self, size};
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
 use super::map_file::{Extras, MapFile};
-use super::options::{Talk, Verify, flag_error, share};
+use super::options::{Talk, Verify, check_spectrum, flag_error, share};
 use super::picture_flags::PictureFlags;
 use super::progress::{Bar, Screen};
 use super::results_directory::Place;
@@ -54,6 +54,10 @@ pub struct MergeCommand {
     /// Measure how sharp the boundaries between outcomes are: basin entropy, uncertainty exponent, dimension
     #[arg(long)]
     sharpness: bool,
+    /// Draw the spectra of a map of two axes, too: the least values of the second at which the block lifts and overturns, and the
+    /// rocking index at some of them, over the first (spectrum.csv, .png, .svg)
+    #[arg(long)]
+    spectrum: bool,
     /// Print only errors
     #[arg(short, long)]
     quiet: bool,
@@ -79,7 +83,8 @@ impl MergeCommand {
             false => self.files.clone(),
         };
         let grid = Grid::of(&shards.content.scene);
-        let extras = Extras { leaves: self.refine.is_some(), spectrum: false };
+        check_spectrum(self.spectrum, &grid)?;
+        let extras = Extras { leaves: self.refine.is_some(), spectrum: self.spectrum };
         let content = (&shards.content.scene, &grid, shards.content.method.columns);
         let names = map_files::places(content, &files(grid.len()), extras);
         place.refuse_foreign(&names)?;
@@ -131,7 +136,7 @@ impl MergeCommand {
         let (tag, sharpness, talk) = (None, self.sharpness, self.talk);
         let refined = refined.as_ref();
         let pictures = &self.pictures;
-        let spectrum = false;
+        let spectrum = self.spectrum;
         let to =
             Finish { files, refined, verify, estimate, tag, sharpness, spectrum, pictures, talk };
         finish::write(map, &mut results, &to, &say, &screen)

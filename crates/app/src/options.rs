@@ -96,7 +96,7 @@ pub struct MapOptions {
     /// Files of the map [default: csv,npz; zarr alone above 16.7 million cells]
     #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
     pub files: Vec<MapFile>,
-    /// Columns of the map, by their names in map.csv, or all; a cell ends when these columns are final [default: all]
+    /// Columns of the map, by their names in map.csv, or all but for those that are only on request; a cell ends when these columns are final [default: all]
     #[arg(long, value_name = "NAME,...")]
     pub columns: Option<ColumnSet>,
     /// Number of cells that the reference computes again, or none [default: 128, or as many as 30 s allow]
@@ -239,6 +239,15 @@ impl RunOptions {
     }
 }
 
+/// Refuses spectra of a map that has none.
+pub fn check_spectrum(wanted: bool, grid: &Grid) -> Result<(), InputError> {
+    if wanted && !spectrum::has(grid) {
+        let problem = "--spectrum: spectra are of a map of two axes, the second of them how strong the shaking is (--a-h, --scale), above 0; give these, or leave it out";
+        return Err(InputError(problem.into()));
+    }
+    Ok(())
+}
+
 /// Sets the number of threads, where one was given.
 ///
 /// # Errors
@@ -377,10 +386,7 @@ impl MapOptions {
         self.method().check_columns(scene).map_err(|error| flag_error(&error))?;
         let verify = Verify::settings(self.verify);
         verify.check(Grid::of(scene).len()).map_err(|error| flag_error(&error))?;
-        if self.spectrum && !spectrum::has(&Grid::of(scene)) {
-            let problem = "--spectrum: spectra are of a map of two axes, the second of them how strong the shaking is (--a-h, --scale), above 0; give these, or leave it out";
-            return Err(InputError(problem.into()));
-        }
+        check_spectrum(self.spectrum, &Grid::of(scene))?;
         if let Some(levels) = self.refine {
             refine::check(scene, levels).map_err(|error| flag_error(&error))?;
         }

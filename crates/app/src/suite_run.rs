@@ -4,6 +4,9 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
+use topple::backend::description::AdapterDescription;
+use topple::backend::ready::Backend;
+use topple::backend::report::threads;
 use topple::results::shard::Shard;
 use topple::results::store_error::StoreError;
 use topple::scene::builder::SceneBuilder;
@@ -74,6 +77,21 @@ pub struct Repeats {
     pub inputs: Inputs,
 }
 
+/// What computed a sweep, or the rest of it where an earlier run had begun it.
+#[derive(Debug, Clone, Serialize)]
+pub struct Computed {
+    backend: &'static str,
+    adapter: Option<AdapterDescription>,
+    threads: usize,
+}
+
+impl Computed {
+    fn by(backend: &Backend) -> Computed {
+        let adapter = backend.adapter().cloned();
+        Computed { backend: backend.name(), adapter, threads: threads() }
+    }
+}
+
 /// Numbers of run.json that every command with a suite has.
 #[derive(Serialize)]
 pub struct SuiteManifest<'a> {
@@ -94,6 +112,8 @@ pub struct SuiteManifest<'a> {
     records: BTreeMap<&'a str, Source<'a>>,
     /// Why lines of the suite have no motion, by their ids.
     left_out: BTreeMap<&'a str, &'a str>,
+    #[serde(flatten)]
+    computed: &'a Computed,
     #[serde(flatten)]
     method: Method,
     cells: usize,
@@ -217,7 +237,7 @@ impl SuiteFlags {
         times: Times,
         options: &RunOptions,
         say: &Reporter,
-    ) -> anyhow::Result<Option<SuiteSweep>> {
+    ) -> anyhow::Result<Option<(SuiteSweep, Computed)>> {
         let screen = Screen::new(options.quiet);
         options.warn_of(&job.backends().passed_over, &job.backends().backends[0]);
         let (cells, each, count) = (job.cells(), job.grid.len(), job.motions().len());
@@ -233,6 +253,7 @@ impl SuiteFlags {
             return Ok(None);
         }
         results_directory::open(&options.out)?;
+        let computed = Computed::by(&job.backends().backends[0]);
         let swept = job.run(&screen).map_err(sweep_error)?;
         screen.clear();
         if self.resume {
@@ -252,13 +273,13 @@ impl SuiteFlags {
             say.line("motions", format!("shard {shard} in {}; {joins}", folder.display()));
             return Ok(None);
         }
-        Ok(Some(swept))
+        Ok(Some((swept, computed)))
     }
 
     /// What run.json says of a sweep, each of its records once.
     pub fn manifest<'a>(
         &'a self,
-        swept: &'a SuiteSweep,
+        (swept, computed): (&'a SuiteSweep, &'a Computed),
         (suite, options): (&'a Suite, &'a RunOptions),
     ) -> SuiteManifest<'a> {
         let runs: usize = swept.motions.iter().map(|motion| motion.outcomes.len()).sum();
@@ -271,6 +292,7 @@ impl SuiteFlags {
             both_directions: self.both_directions,
             records: suite::sources(suite),
             left_out: suite::left_out(suite),
+            computed,
             method: options.method(),
             cells: swept.grid.len(),
             sweep_seconds: swept.seconds,

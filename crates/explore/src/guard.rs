@@ -164,11 +164,19 @@ mod tests {
     fn a_tunnel_may_have_another_port() {
         let token = Token::new().unwrap();
         let path = format!("/{}/", token.text());
-        for host in ["localhost:4000", "LOCALHOST:9999", "127.0.0.1:9999", "[::1]:9999", "localhost"] {
+        for host in
+            ["localhost:4000", "LOCALHOST:9999", "127.0.0.1:9999", "[::1]:9999", "localhost"]
+        {
             let origin = format!("http://{host}");
             let (origin, site) = (Some(&*origin), Some("same-origin"));
-            let said =
-                Credentials { path: &path, host: Some(host), origin, site, posts: true, marked: true };
+            let said = Credentials {
+                path: &path,
+                host: Some(host),
+                origin,
+                site,
+                posts: true,
+                marked: true,
+            };
             assert_eq!(let_in(&token, &said), Ok(""), "{host}");
         }
     }
@@ -179,7 +187,10 @@ mod tests {
         assert!(line.contains("ssh -L 8771:127.0.0.1:8771"), "{line}");
         for refusal in [Refusal::Host, Refusal::Token, Refusal::Page] {
             let line = refusal.line(1);
-            assert!(line.starts_with("not allowed: ") && line.contains("open the address"), "{line}");
+            assert!(
+                line.starts_with("not allowed: ") && line.contains("open the address"),
+                "{line}"
+            );
         }
     }
 

@@ -103,9 +103,7 @@ fn allowed(shared: &Shared, request: &Request) -> Result<String, Refusal> {
 pub async fn answer(State(shared): State<Arc<Shared>>, request: Request) -> Response {
     let path = allowed(&shared, &request);
     let mut response = match path {
-        Err(refusal) => {
-            (StatusCode::FORBIDDEN, refusal.line(shared.at.port())).into_response()
-        }
+        Err(refusal) => (StatusCode::FORBIDDEN, refusal.line(shared.at.port())).into_response(),
         Ok(path) => inner(&shared, &path, request).await,
     };
     for (name, value) in [

@@ -203,7 +203,8 @@ mod tests {
         let third = AT2.replace("QUAKE", "THIRD");
         for names in [["a", "a", "2"], ["2", "a", "a"], ["a", "2", "A"], ["a", "a", "a"]] {
             let texts = [AT2, &other, &third];
-            let files: Vec<File> = names.iter().zip(texts).map(|(name, text)| file(name, text)).collect();
+            let files: Vec<File> =
+                names.iter().zip(texts).map(|(name, text)| file(name, text)).collect();
             let placed = places(&files);
             let lower: HashSet<String> =
                 placed.iter().map(|place| place.to_string_lossy().to_lowercase()).collect();
@@ -264,8 +265,7 @@ mod tests {
         assert!(suites.get(&ids[1]).is_ok() && folder.path().join(&ids[1]).exists());
         let is_in_memory = |own: &Kept| own.files.suite.lock().unwrap().is_some();
         // In memory there is what was just asked for, and nothing once it is not used; it comes back from its files.
-        let in_memory =
-            || suites.0.lock().unwrap().iter().filter(|own| is_in_memory(own)).count();
+        let in_memory = || suites.0.lock().unwrap().iter().filter(|own| is_in_memory(own)).count();
         add();
         assert_eq!(in_memory(), 1);
         let_go(&suites.0.lock().unwrap(), Duration::ZERO);

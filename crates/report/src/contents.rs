@@ -310,7 +310,7 @@ fn unrepeatable(folder: &Folder) -> Option<&'static str> {
             if !is_told("command") =>
         {
             Some(
-            "No command repeats it: its run.json does not say which one was given. Give the whole command again.",
+                "No command repeats it: its run.json does not say which one was given. Give the whole command again.",
             )
         }
         Kind::Map | Kind::History | Kind::Probability if recorded && !is_told("record") => Some(

@@ -82,7 +82,9 @@ fn push(page: &mut String, piece: &Piece) {
 fn marked_up(text: &str) -> String {
     let pieces = text::pieces(text).into_iter().map(|(_, piece)| match piece {
         Letters::Plain(letter) => escaped(letter.encode_utf8(&mut [0; 4])),
-        Letters::Symbol(letter, index) => format!("{}<sub>{}</sub>", escaped(letter), escaped(index)),
+        Letters::Symbol(letter, index) => {
+            format!("{}<sub>{}</sub>", escaped(letter), escaped(index))
+        }
         Letters::Power(power) => format!("<sup>{}</sup>", escaped(power)),
     });
     pieces.collect()

@@ -73,12 +73,7 @@ fn steps_after(plan: &Plan, still: bool) -> u32 {
 
 /// Bytes of the motions of these combinations, with so many steps after the excitation, where they fit in memory. The motions
 /// of a pulse are counted one by one until they do not fit.
-fn fit<R: Real>(
-    plan: &Plan,
-    grid: &Grid,
-    all: &[Combinations; 2],
-    after: u32,
-) -> Option<usize> {
+fn fit<R: Real>(plan: &Plan, grid: &Grid, all: &[Combinations; 2], after: u32) -> Option<usize> {
     let most = MOST_MEMORY / size_of::<R>();
     let mut left = most;
     let directions = [Direction::Horizontal, Direction::Vertical];
@@ -121,7 +116,8 @@ fn shares(plan: &Plan, grid: &Grid, all: &[Combinations; 2]) -> bool {
 fn sharing<R: Real>(plan: &Plan, grid: &Grid) -> Option<(usize, u32)> {
     let of = Dependence::of(plan, grid);
     let all = of.combinations(grid);
-    let mut most = [steps_after(plan, of.still), 0].into_iter().filter(|_| shares(plan, grid, &all));
+    let mut most =
+        [steps_after(plan, of.still), 0].into_iter().filter(|_| shares(plan, grid, &all));
     most.find_map(|after| Some((fit::<R>(plan, grid, &all, after)?, after)))
 }
 

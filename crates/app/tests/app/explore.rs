@@ -192,7 +192,8 @@ fn nobody_is_let_in_but_the_page() {
         let line = String::from_utf8(answer.body).unwrap();
         assert!(line.starts_with("not allowed: ") && line.contains("open the address"), "{line}");
     }
-    let elsewhere = server.send(&format!("GET /{token}/ HTTP/1.1\r\nHost: machine.example\r\n"), b"");
+    let elsewhere =
+        server.send(&format!("GET /{token}/ HTTP/1.1\r\nHost: machine.example\r\n"), b"");
     let line = String::from_utf8(elsewhere.body).unwrap();
     let (_, port) = host.split_once(':').unwrap();
     assert!(line.contains(&format!("ssh -L {port}:127.0.0.1:{port}")), "{line}");

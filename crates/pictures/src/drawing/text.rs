@@ -87,8 +87,8 @@ pub fn pieces(text: &str) -> Vec<(&str, Piece<'_>)> {
         let symbol = || {
             SYMBOLS.iter().find_map(|(letter, index)| {
                 let after = rest.strip_prefix(letter)?.strip_prefix('_')?.strip_prefix(index)?;
-                let ends =
-                    !after.starts_with(|c: char| c.is_alphabetic() || c.is_ascii_digit() || c == '_');
+                let ends = !after
+                    .starts_with(|c: char| c.is_alphabetic() || c.is_ascii_digit() || c == '_');
                 ends.then_some((Piece::Symbol(letter, index), after, 'x'))
             })
         };
@@ -186,12 +186,7 @@ pub fn wrapped(text: &str, size: f64, most: f64) -> Vec<String> {
     wrapped_by(text, size, most, font::advance)
 }
 
-fn wrapped_by(
-    text: &str,
-    size: f64,
-    most: f64,
-    advance: impl FnMut(char) -> f64,
-) -> Vec<String> {
+fn wrapped_by(text: &str, size: f64, most: f64, advance: impl FnMut(char) -> f64) -> Vec<String> {
     let pieces = measured(text, size, advance);
     let mut lines = Vec::new();
     let (mut line, mut wide) = (String::new(), 0.0);
@@ -232,12 +227,7 @@ pub fn shortened(text: &str, size: f64, most: f64) -> String {
 /// What stands for the middle of a text that is left out.
 const LEFT_OUT: &str = " … ";
 
-fn shortened_by(
-    text: &str,
-    size: f64,
-    most: f64,
-    mut advance: impl FnMut(char) -> f64,
-) -> String {
+fn shortened_by(text: &str, size: f64, most: f64, mut advance: impl FnMut(char) -> f64) -> String {
     let pieces = measured(text, size, &mut advance);
     let widths = |from: &[(&str, f64)]| from.iter().map(|(_, width)| width).sum::<f64>();
     if widths(&pieces) <= most {
