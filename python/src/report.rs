@@ -26,7 +26,7 @@ pub fn report(
     match written {
         Some(problem) => {
             let kind = py.get_type::<PyUserWarning>();
-            PyErr::warn(py, &kind, &CString::new(problem)?, 1)
+            PyErr::warn(py, &kind, &CString::new(problem.to_string())?, 1)
         }
         None => Ok(()),
     }

@@ -55,8 +55,8 @@ pub struct CompareCommand {
     intervals: IntervalFlags,
     #[command(flatten)]
     pub hazard: HazardFlags,
-    /// With --hazard: the intensity measure of the hazard curve, of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or pga*,
-    /// pgv* relative to the block [default: pga]
+    /// With --hazard: the intensity measure of the hazard curve, of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or 'pga*',
+    /// 'pgv*' (in quotes for a shell) relative to the block [default: pga]
     #[arg(long, value_name = "MEASURE", help_heading = "Fragility", requires = "hazard")]
     im: Option<Intensity>,
     /// With --hazard: levels of the measure to which each motion is scaled, in SI units [default: each motion as it is]

@@ -48,8 +48,8 @@ pub struct FragilityCommand {
     record: RecordNumbers,
     #[command(flatten)]
     pub motions: SuiteFlags,
-    /// Intensity measure of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or pga*, pgv*
-    /// relative to the block
+    /// Intensity measure of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or 'pga*', 'pgv*'
+    /// (in quotes for a shell) relative to the block
     #[arg(long, value_name = "MEASURE", default_value = "pga", help_heading = "Fragility")]
     im: Intensity,
     /// Levels of the measure to which each motion is scaled, in SI units [default: each motion as it is]

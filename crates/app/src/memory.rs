@@ -17,8 +17,8 @@ const BYTES_A_CELL: usize = size_of::<Outcome>() + 40;
 const MOST_HELD: usize = 1 << 24;
 /// Batches that there are at once: one that a worker runs, and those that are saved or wait for it.
 const BATCHES: usize = 5;
-/// Memory that the program takes without a map, bytes.
-const PROGRAM: usize = 48 << 20;
+/// Memory that the program takes without a map, bytes: above all for the pictures, of which several are drawn at once.
+const PROGRAM: usize = 160 << 20;
 
 /// Memory that so many cells of a batch take, bytes.
 pub fn of_cells(cells: usize) -> u64 {

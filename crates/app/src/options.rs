@@ -140,7 +140,7 @@ pub struct MapOptions {
     /// Files of the map [default: csv,npz; zarr alone above 16.7 million cells]
     #[arg(long, value_name = "FILE,...", value_delimiter = ',')]
     pub files: Vec<MapFile>,
-    /// Columns of the map, by their names in map.csv, or all; a cell ends when these columns are final [default: all]
+    /// Columns of the map, by their names in map.csv, or all but for those that are only on request; a cell ends when these columns are final [default: all]
     #[arg(long, value_name = "NAME,...")]
     pub columns: Option<ColumnSet>,
     /// Number of cells that the reference computes again, or none [default: 128, or as many as 30 s allow]

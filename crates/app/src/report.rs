@@ -40,7 +40,7 @@ impl ReportCommand {
     /// Reads the runs and writes the report.
     pub fn run(&self) -> anyhow::Result<()> {
         let written = topple_report::write(&self.folders, &self.out, self.title.as_deref());
-        words::warn_once(written.map_err(failed)?);
+        words::warn_of_letters(written.map_err(failed)?);
         let of = counted(self.folders.len(), "run");
         Reporter::unless(self.quiet).line("report", format!("{} of {of}", self.out.display()));
         Ok(())

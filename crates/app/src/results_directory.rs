@@ -32,7 +32,7 @@ pub fn picture_files(name: &str) -> [String; 2] {
 
 /// Writes a picture as NAME.svg and NAME.png, and warns of letters that no font has.
 pub fn write_picture(out: &Directory, name: &str, svg: &str, png: &[u8]) -> Result<(), WriteError> {
-    words::warn_once(letters::missing(svg));
+    words::warn_of_letters(letters::missing(svg));
     let [of_svg, of_png] = picture_files(name);
     out.write(&of_svg, |w| w.write_all(svg.as_bytes()))?;
     out.write(&of_png, |w| w.write_all(png))?;

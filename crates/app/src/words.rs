@@ -1,5 +1,6 @@
 //! What is said about a run.
 
+use std::collections::BTreeSet;
 use std::fmt::Display;
 use std::sync::{Mutex, PoisonError};
 
@@ -26,6 +27,7 @@ use topple::sweep::repaired::Repair;
 use topple::sweep::verdict;
 use topple::sweep::verification::{Verdict, Verification};
 use topple_pictures::drawing::share;
+use topple_pictures::drawing::letters::Missing;
 use topple_studies::sharpness::{Estimate, Sharpness};
 
 /// Says things, a name and what there is to it a line; or nothing, for who wants quiet.
@@ -60,9 +62,17 @@ pub fn warn(text: impl Display) {
     WARNINGS.lock().unwrap_or_else(PoisonError::into_inner).push(text);
 }
 
-/// Says it unless it was said before, as of several pictures of one run.
-pub fn warn_once(text: Option<String>) {
-    text.filter(|text| !warnings().contains(text)).into_iter().for_each(warn);
+/// Letters that were warned of.
+static LETTERS: Mutex<BTreeSet<char>> = Mutex::new(BTreeSet::new());
+
+/// Warns of letters of a picture that no font has, once for all pictures of a run.
+pub fn warn_of_letters(missing: Option<Missing>) {
+    let Some(missing) = missing else { return };
+    let mut said = LETTERS.lock().unwrap_or_else(PoisonError::into_inner);
+    if !missing.letters.is_subset(&said) {
+        said.extend(&missing.letters);
+        warn(missing);
+    }
 }
 
 /// What the command has warned of until now.

@@ -5,6 +5,7 @@ use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
 use topple::results::files::Directory;
+use topple_pictures::drawing::letters::Missing;
 
 use super::{Folder, ReportError, contents, html, print};
 
@@ -59,7 +60,7 @@ pub fn write(
     runs: &[PathBuf],
     out: &Path,
     title: Option<&str>,
-) -> Result<Option<String>, ReportError> {
+) -> Result<Option<Missing>, ReportError> {
     let format = Format::of(out)?;
     let unnamed = || ReportError::Place(format!("{} is no name of a file", out.display()));
     let name = out.file_name().and_then(|name| name.to_str()).ok_or_else(unnamed)?;

@@ -3,6 +3,7 @@
 use topple::results::colour::BLACK;
 use topple_pictures::drawing::canvas::{Canvas, Place, stroke};
 use topple_pictures::drawing::error::FigureError;
+use topple_pictures::drawing::letters::Missing;
 use topple_pictures::drawing::pdf::{self, Placed};
 use topple_pictures::drawing::text::{style, wrapped};
 use topple_pictures::drawing::{MILLIMETRE, letters, render};
@@ -42,7 +43,7 @@ pub fn mark() -> String {
 ///
 /// # Errors
 /// [`FigureError`]: a picture that cannot be drawn.
-pub fn write(document: &Document) -> Result<(Vec<u8>, Option<String>), FigureError> {
+pub fn write(document: &Document) -> Result<(Vec<u8>, Option<Missing>), FigureError> {
     let mut paper = Paper::new();
     paper.text(&document.title, 17.0, 0.0);
     let mut pieces = &document.pieces[..];

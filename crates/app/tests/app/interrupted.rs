@@ -654,6 +654,10 @@ fn a_dry_run_leaves_nothing() {
         for word in [grid, "motion", "time       about", "memory", "disk", file] {
             assert!(said.contains(word), "{word}: {said}");
         }
+        // Motions take what these cells share, not the most that motions may take, 512 MiB.
+        let memory = said.lines().find_map(|line| line.strip_prefix("memory     up to ")).unwrap();
+        let small = memory.strip_suffix(" MB").map(|number| number.parse::<u32>().unwrap());
+        assert!(file == "map.zarr" || small.is_some_and(|size| size < 400), "{said}");
     }
 }
 

@@ -162,6 +162,9 @@ fn several_runs_of_several_kinds_are_one_report() {
     for kind in ["4 runs of topple", "(map)", "Suite (suite)", "(envelope)", "(fragility)"] {
         assert!(page.contains(kind), "{kind}");
     }
+    // The suite is read again in the directory that its path is in, by the words of its command.
+    let again = format!("\ntopple suite {records} --out suite</pre>");
+    assert!(page.contains(&again), "{again}: {page}");
     // What fits.csv has is in the table: theta in three digits.
     let fits = read(&place.path().join("fragility/fits.csv"));
     let (head, row) = (fits.lines().next().unwrap(), fits.lines().nth(1).unwrap());

@@ -1,6 +1,7 @@
 //! Letters that the font of the pictures does not have: a font of the machine draws them, where one has them.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 use std::fs;
 use std::path::PathBuf;
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
@@ -88,51 +89,58 @@ pub(super) fn fonts(svg: &str) -> Arc<Database> {
     Arc::clone(&more.fonts)
 }
 
-/// The letters of a document that no font has.
-fn missing_in(text: &str) -> BTreeSet<char> {
-    let letters = lacking(text);
-    if letters.is_empty() {
-        return letters;
-    }
-    let mut more = MORE.lock().unwrap_or_else(PoisonError::into_inner);
-    more.seek(&letters);
-    letters.into_iter().filter(|letter| more.sought.get(letter) == Some(&false)).collect()
-}
-
-/// True of a document with letters that no font of this machine has.
-pub(super) fn lacks_some(svg: &str) -> bool {
-    !missing_in(svg).is_empty()
-}
-
 /// Most texts, and most letters, that a warning repeats.
 const MOST: usize = 8;
 
-/// What is wrong with a picture some of whose letters no font has, and what to do; none where nothing is. The letters, and the
-/// texts that have them, are named.
-pub fn missing(svg: &str) -> Option<String> {
-    let letters = missing_in(svg);
-    if letters.is_empty() {
+/// Letters of a picture that no font has, and the texts that have them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Missing {
+    /// The letters.
+    pub letters: BTreeSet<char>,
+    /// The texts.
+    pub texts: Vec<String>,
+}
+
+/// What no font has of a document; none where nothing is missing. A text with a letter that no font has is drawn with the font of
+/// the pictures alone, so that all other letters which that lacks are missing, too.
+pub fn missing(svg: &str) -> Option<Missing> {
+    let mut missing = Missing { letters: BTreeSet::new(), texts: Vec::new() };
+    if lacking(svg).is_empty() {
         return None;
     }
-    let mut texts: Vec<String> = Vec::new();
+    let mut more = MORE.lock().unwrap_or_else(PoisonError::into_inner);
     for text in svg.split("<text").skip(1).filter_map(|text| text.split_once("</text>")) {
         let text = plain(text.0);
-        if text.chars().any(|letter| letters.contains(&letter)) && !texts.contains(&text) {
-            texts.push(text);
+        let letters = lacking(&text);
+        more.seek(&letters);
+        if letters.iter().any(|letter| more.sought.get(letter) == Some(&false)) {
+            missing.letters.extend(letters);
+            if !missing.texts.contains(&text) {
+                missing.texts.push(text);
+            }
         }
     }
-    let more = |all: usize| if all > MOST { ", ..." } else { "" };
-    let named: Vec<String> =
-        letters.iter().take(MOST).map(|one| format!("{one} (U+{:04X})", u32::from(*one))).collect();
-    let quoted: Vec<String> = texts.iter().take(MOST).map(|text| format!("\"{text}\"")).collect();
-    Some(format!(
-        "no font of this machine has the letters {}{} of {}{}: PNG and PDF show empty boxes for them, and an SVG shows them \
-         where its reader has a font; install a font that has them, or give a title or names without them",
-        named.join(", "),
-        more(letters.len()),
-        quoted.join(", "),
-        more(texts.len())
-    ))
+    (!missing.texts.is_empty()).then_some(missing)
+}
+
+impl fmt::Display for Missing {
+    /// What is wrong, and what to do, in one line.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Missing { letters, texts } = self;
+        let more = |all: usize| if all > MOST { ", ..." } else { "" };
+        let named =
+            letters.iter().take(MOST).map(|one| format!("{one} (U+{:04X})", u32::from(*one)));
+        let quoted = texts.iter().take(MOST).map(|text| format!("\"{text}\""));
+        write!(
+            f,
+            "no font of this machine has the letters {}{} of {}{}: PNG and PDF show empty boxes for them, and an SVG shows them \
+             where its reader has a font; install a font that has them, or give a title or names without them",
+            named.collect::<Vec<_>>().join(", "),
+            more(letters.len()),
+            quoted.collect::<Vec<_>>().join(", "),
+            more(texts.len())
+        )
+    }
 }
 
 /// The words of an element of text behind its name, without its marks.
@@ -169,12 +177,19 @@ mod tests {
     fn letters_that_no_font_has_are_named_with_their_text() {
         let text = format!("T_h & <{NONE}>");
         for outlines in [false, true] {
-            let said = missing(&svg(&text, outlines)).unwrap();
+            let said = missing(&svg(&text, outlines)).unwrap().to_string();
             assert!(said.contains(&format!("the letters {NONE} (U+10FFFD) of ")), "{said}");
             assert!(!said.contains('\n') && said.contains("install a font"), "{said}");
         }
-        let said = missing(&svg(&text, false)).unwrap();
+        let said = missing(&svg(&text, false)).unwrap().to_string();
         assert!(said.contains(&format!("of \"Th & <{NONE}>\":")), "{said}");
+    }
+
+    #[test]
+    fn a_letter_that_no_font_has_takes_others_of_its_text_with_it() {
+        let said = missing(&svg(&format!("مخمد {NONE} ü"), false)).unwrap();
+        assert_eq!(said.letters, format!("مخد{NONE}").chars().collect());
+        assert_eq!(said.texts.len(), 1);
     }
 
     #[test]

@@ -66,7 +66,7 @@ pub(super) fn tree(svg: &str, dpi: f32) -> Result<Tree, FigureError> {
 pub fn outlined(svg: &str) -> Result<String, FigureError> {
     let options = WriteOptions {
         coordinates_precision: 3,
-        preserve_text: letters::lacks_some(svg),
+        preserve_text: letters::missing(svg).is_some(),
         ..WriteOptions::default()
     };
     let tree = tree(svg, CSS)?;
