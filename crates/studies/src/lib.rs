@@ -4,6 +4,7 @@
 //! ```text
 //! statistics -> uncertain -> suites -> fragility -> comparison (of devices)
 //! statistics -> sharpness (of one sweep)
+//! sheet (tables of text) -> suites, fragility, comparison
 //! ```
 
 pub mod comparison;

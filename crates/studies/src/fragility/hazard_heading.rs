@@ -4,79 +4,72 @@
 use crate::sheet::TableError;
 use crate::suites::intensity::Intensity;
 use topple::Written;
+use topple::scene::GRAVITY;
 use topple::scene::record::Units;
 
-/// A unit with the spellings that are read, its name, and what it is in SI units.
-type Unit = (&'static [&'static str], &'static str, f64);
+/// A unit: its spellings, its name, and what it is in SI units.
+type Unit = (&'static str, &'static str, f64);
 
 /// Units of accelerations. The names are those of `--hazard-units`.
 const ACCELERATIONS: [Unit; 3] = [
-    (&["g"], "g", topple::scene::GRAVITY),
-    (&["m/s2", "m/s/s", "ms-2"], "m/s2", 1.0),
-    (&["cm/s2", "cm/s/s", "cms-2", "gal"], "cm/s2", 0.01),
+    ("g", "g", GRAVITY),
+    ("m/s2|m/s/s|ms-2", "m/s2", 1.0),
+    ("cm/s2|cm/s/s|cms-2|gal", "cm/s2", 0.01),
 ];
-/// Units of velocities, in which the Arias intensity is, too.
-const VELOCITIES: [Unit; 2] = [(&["m/s", "ms-1"], "m/s", 1.0), (&["cm/s", "cms-1"], "cm/s", 0.01)];
-/// Units of the cumulative absolute velocity.
-const CUMULATIVE: [Unit; 3] =
-    [VELOCITIES[0], VELOCITIES[1], (&["gs"], "g s", topple::scene::GRAVITY)];
+/// Units of velocities, in which the Arias intensity is, too, and of the cumulative absolute velocity.
+const VELOCITIES: [Unit; 3] =
+    [("m/s|ms-1", "m/s", 1.0), ("cm/s|cms-1", "cm/s", 0.01), ("gs", "g s", GRAVITY)];
 /// What stands for the unit of a ratio.
-const RATIOS: [Unit; 1] = [(&["-", "1"], "1", 1.0)];
+const RATIOS: [Unit; 1] = [("-|1", "1", 1.0)];
 
-/// What a name of levels says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Named {
-    Any,
-    Acceleration,
-    Pga,
-    Pgv,
-    Sa,
-    AverageSa,
-    Arias,
-    Cav,
-    RelativePga,
-    RelativePgv,
+/// The measures by their words of `--im`, with the names of their levels in small letters.
+const MEASURES: [(&str, &str); 8] = [
+    ("pga", "pga|peak ground acceleration"),
+    ("pgv", "pgv|peak ground velocity"),
+    ("sa", "sa|psa|spectral acceleration|pseudo acceleration|pseudo spectral acceleration"),
+    ("avg-sa", "avg sa|avgsa|sa avg|saavg|average sa|average spectral acceleration"),
+    ("arias", "arias|arias intensity|ia"),
+    ("cav", "cav|cumulative absolute velocity"),
+    ("pga*", "pga*"),
+    ("pgv*", "pgv*"),
+];
+/// Names of levels of any measure, and of any acceleration.
+const ANY: &str = "level|im|iml|intensity measure|intensity measure level|intensity level";
+const ACCELERATION_NAMES: &str = "acc|acceleration";
+/// Measures that no study has.
+const OTHERS: &str = "pgd|mmi|ems|jma|sd|sv|psv|psd";
+/// The horizontal component whose median is that of one component; what else a component is called is not read.
+const COMPONENTS: &str = "rotd50|gmrotd50|gmroti50|geomean|horizontal";
+/// The damping of `sa` and `avg-sa`.
+const DAMPING: &str = "5%|damping|damped";
+/// The unit of a period.
+const SECONDS: &str = "seconds|second|sec|s";
+
+/// Names of annual rates without their first words, `mean`, `annual` or `yearly`.
+const RATES: &str = "rate|frequency|rate of exceedance|frequency of exceedance|exceedance rate|exceedance frequency|lambda|\u{3bb}|maf|mafe|mar|\
+                     afe|afoe|exceedances";
+/// What may stand behind them.
+const PER_YEAR: &str = "1/yr|1/year|1/a|/yr|/year|/a|yr-1|year-1|a-1|per year|per yr|per annum";
+/// Names of return periods.
+const PERIODS: &str =
+    "return period|mean return period|recurrence interval|mean recurrence interval|tr|t r|rp|mri";
+/// What may stand behind them.
+const YEARS: &str = "years|year|yrs|yr|a";
+/// What is part of a word for a probability, or is one.
+const PROBABILITIES: &str = "prob|poe|wahrsch|percent|prozent|%";
+const PROBABILITY_WORDS: &str = "p|pe|pp|ape|aep";
+/// What may be of another time than a year.
+const TIMES: &str = "day|week|month|decade|century|exceedance";
+
+/// True of a word of a list.
+fn is_of(list: &str, word: &str) -> bool {
+    list.split('|').any(|known| known == word)
 }
 
-/// The names of levels, in small letters.
-const NAMES: [(&str, Named); 30] = [
-    ("level", Named::Any),
-    ("im", Named::Any),
-    ("iml", Named::Any),
-    ("intensity measure", Named::Any),
-    ("intensity measure level", Named::Any),
-    ("acc", Named::Acceleration),
-    ("acceleration", Named::Acceleration),
-    ("pga", Named::Pga),
-    ("peak ground acceleration", Named::Pga),
-    ("pgv", Named::Pgv),
-    ("peak ground velocity", Named::Pgv),
-    ("sa", Named::Sa),
-    ("psa", Named::Sa),
-    ("spectral acceleration", Named::Sa),
-    ("pseudo acceleration", Named::Sa),
-    ("pseudo spectral acceleration", Named::Sa),
-    ("avgsa", Named::AverageSa),
-    ("saavg", Named::AverageSa),
-    ("avg sa", Named::AverageSa),
-    ("sa avg", Named::AverageSa),
-    ("average sa", Named::AverageSa),
-    ("average spectral acceleration", Named::AverageSa),
-    ("arias", Named::Arias),
-    ("arias intensity", Named::Arias),
-    ("ia", Named::Arias),
-    ("cav", Named::Cav),
-    ("cumulative absolute velocity", Named::Cav),
-    ("pga*", Named::RelativePga),
-    ("pgv*", Named::RelativePgv),
-    ("intensity level", Named::Any),
-];
-/// Measures that no study has.
-const OTHERS: [&str; 8] = ["pgd", "mmi", "ems", "jma", "sd", "sv", "psv", "psd"];
-/// The horizontal component whose median is that of one component; what else a component is called is not read.
-const COMPONENTS: [&str; 5] = ["rotd50", "gmrotd50", "gmroti50", "geomean", "horizontal"];
-/// The damping of `sa` and `avg-sa`.
-const DAMPING: [&str; 3] = ["5%", "damping", "damped"];
+/// True of a text that has a word of a list in it.
+fn has(list: &str, text: &str) -> bool {
+    list.split('|').any(|part| text.contains(part))
+}
 
 /// What stands beside the levels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -86,56 +79,6 @@ pub(super) enum Rates {
     /// Return periods, years.
     Periods,
 }
-
-/// Names of annual rates without their first words, `mean`, `annual` or `yearly`.
-const RATES: [&str; 14] = [
-    "rate",
-    "frequency",
-    "rate of exceedance",
-    "frequency of exceedance",
-    "exceedance rate",
-    "exceedance frequency",
-    "lambda",
-    "\u{3bb}",
-    "maf",
-    "mafe",
-    "mar",
-    "afe",
-    "afoe",
-    "exceedances",
-];
-/// What may stand behind them.
-const PER_YEAR: [&str; 12] = [
-    "1/yr",
-    "1/year",
-    "1/a",
-    "/yr",
-    "/year",
-    "/a",
-    "yr-1",
-    "year-1",
-    "a-1",
-    "per year",
-    "per yr",
-    "per annum",
-];
-/// Names of return periods.
-const PERIODS: [&str; 8] = [
-    "return period",
-    "mean return period",
-    "recurrence interval",
-    "mean recurrence interval",
-    "tr",
-    "t r",
-    "rp",
-    "mri",
-];
-/// What may stand behind them.
-const YEARS: [&str; 5] = ["years", "year", "yrs", "yr", "a"];
-/// What is part of a word for a probability.
-const PROBABILITIES: [&str; 6] = ["prob", "poe", "wahrsch", "percent", "prozent", "%"];
-/// What may be of another time than a year.
-const TIMES: [&str; 6] = ["day", "week", "month", "decade", "century", "exceedance"];
 
 /// What a heading says.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -153,19 +96,19 @@ pub(super) fn judged(
     measure: Intensity,
     asked: Option<Units>,
 ) -> Result<Heading, TableError> {
-    let refused = |word: &str, problem: String| TableError::of_cell(line, word, problem);
-    if rates(level).is_some() && rates(rate).is_none() {
+    if is_of_rates(level) && !is_of_rates(rate) {
         let problem = "the levels come first, their annual rates second; exchange the columns";
-        return Err(refused(level, problem.into()));
+        return Err(TableError::of_cell(line, level, problem));
     }
-    let unit = levels(level, measure, asked).map_err(|problem| refused(level, problem))?;
+    let unit = levels(level, measure, asked)
+        .map_err(|problem| TableError::of_cell(line, level, problem))?;
     let rates = match rates(rate) {
         Some(rates) => rates,
         None if asked.is_some() && !contradicts_rates(rate) => Rates::Annual,
         None => {
             let problem = "says no annual rate of exceedance; if the numbers are such rates, call them `rate`, and return periods \
                            `return period`; a probability p in T years is a rate of -ln(1 - p)/T";
-            return Err(refused(rate, problem.into()));
+            return Err(TableError::of_cell(line, rate, problem));
         }
     };
     Ok(Heading { unit, rates })
@@ -177,23 +120,22 @@ pub(super) fn levels(
     measure: Intensity,
     asked: Option<Units>,
 ) -> Result<Option<(&'static str, f64)>, String> {
+    let units = units(measure);
+    let (key, own_period) = match measure {
+        Intensity::Sa(period) => ("sa".into(), Some(period)),
+        Intensity::AverageSa(period) => ("avg-sa".into(), Some(period)),
+        other => (other.to_string(), None),
+    };
     let wanted = || {
-        let unit = units(measure).first().map_or("", |(_, name, _)| name);
-        let unit = if unit == "1" { String::new() } else { format!(" [{unit}]") };
-        match measure {
-            Intensity::Sa(period) => format!("sa({period}){unit}"),
-            Intensity::AverageSa(period) => format!("avg-sa({period}){unit}"),
-            other => format!("{other}{unit}"),
-        }
+        let period = own_period.map_or_else(String::new, |period| format!("({period})"));
+        let unit = Some(units[0].1).filter(|unit| *unit != "1");
+        format!("{key}{period}{}", unit.map_or_else(String::new, |unit| format!(" [{unit}]")))
     };
     let words = words(heading);
-    let is_component = |word: &&str| !COMPONENTS.contains(word);
-    let words: Vec<&str> = words.iter().map(String::as_str).filter(is_component).collect();
-    let phrase = |count: usize| {
-        let name = words.get(..count)?.join(" ");
-        NAMES.iter().find(|(known, _)| *known == name).map(|(_, named)| (*named, count))
-    };
-    let Some((named, count)) = (1..=4).rev().find_map(phrase) else {
+    let words: Vec<&str> =
+        words.iter().map(String::as_str).filter(|word| !is_of(COMPONENTS, word)).collect();
+    let named = (1..=4).rev().filter_map(|count| Some((words.get(..count)?.join(" "), count)));
+    let Some((name, count)) = { named }.find(|(name, _)| is_name(name)) else {
         return match asked {
             Some(units) if !contradicts_levels(heading, &words, units) => Ok(None),
             _ => Err(format!(
@@ -203,90 +145,76 @@ pub(super) fn levels(
         };
     };
     let mut rest = &words[count..];
-    let other = || {
-        Err(format!(
-            "these are no levels of {measure}; give the curve of {measure}, or another --im"
-        ))
-    };
-    let own = match (named, measure) {
-        (Named::Any, _) => true,
-        (Named::Acceleration, of) => of.unit() == ACCELERATION,
-        (Named::Sa, Intensity::Sa(own)) | (Named::AverageSa, Intensity::AverageSa(own)) => {
-            match rest.first().and_then(|word| period(word)) {
-                Some(period) if period == own => {
-                    rest = &rest[1..];
-                    let is_second = |word: &&&str| SECONDS.contains(*word);
-                    rest = &rest[usize::from(rest.first().filter(is_second).is_some())..];
-                    true
-                }
-                Some(_) => false,
-                None if asked.is_some() => true,
-                None => return Err(format!("names no period; write `{}`", wanted())),
-            }
+    let is_general =
+        is_of(ANY, &name) || is_of(ACCELERATION_NAMES, &name) && measure.unit() == ACCELERATION;
+    let is_own = MEASURES.iter().any(|(own, names)| *own == key && is_of(names, &name));
+    let said = rest.first().and_then(|word| period(word));
+    let is_other = match own_period {
+        Some(own) if is_own && said.is_some() => {
+            let behind = rest.get(1).is_some_and(|word| is_of(SECONDS, word));
+            rest = &rest[1 + usize::from(behind)..];
+            said != Some(own)
         }
-        (named, measure) => Some(named) == named_of(measure),
+        Some(_) if is_own && asked.is_none() => {
+            return Err(format!("names no period; write `{}`", wanted()));
+        }
+        _ => !is_own && !is_general,
     };
-    if !own {
-        return other();
+    if is_other {
+        return Err(format!(
+            "these are no levels of {measure}; give the curve of {measure}, or another measure"
+        ));
     }
-    let rest: Vec<&str> = rest.iter().copied().filter(|word| !DAMPING.contains(word)).collect();
-    let of = spelled(&rest.concat());
-    if of.is_empty() {
+    let rest: Vec<&str> = rest.iter().copied().filter(|word| !is_of(DAMPING, word)).collect();
+    if rest.is_empty() {
         return Ok(None);
     }
-    let units = units(measure);
-    let unit = units.iter().find(|(spellings, ..)| spellings.contains(&of.as_str()));
-    let (_, name, factor) = unit.ok_or_else(|| {
+    let of = spelled(&rest.concat());
+    let unit = units.iter().find(|(spellings, ..)| is_of(spellings, &of));
+    let (_, name, factor) = *unit.ok_or_else(|| {
         let names: Vec<&str> = units.iter().map(|(_, name, _)| *name).collect();
         format!("levels in `{}` are not read; give {}", rest.join(" "), names.join(", "))
     })?;
     match asked {
-        Some(asked) if asked.key() != *name => {
+        Some(asked) if asked.key() != name => {
             Err(format!("its levels are in {name}, not in {}; leave the units out", asked.key()))
         }
-        _ => Ok(Some((name, *factor))),
+        _ => Ok(Some((name, factor))),
     }
 }
 
 /// The unit of the measures that may be given in g.
 pub(super) const ACCELERATION: &str = "m/s²";
-/// Words of a period's unit.
-const SECONDS: [&str; 4] = ["s", "sec", "second", "seconds"];
 
 /// The units that a measure may have.
 fn units(measure: Intensity) -> &'static [Unit] {
     match measure {
         Intensity::Pga | Intensity::Sa(_) | Intensity::AverageSa(_) => &ACCELERATIONS,
-        Intensity::Pgv | Intensity::Arias => &VELOCITIES,
-        Intensity::Cav => &CUMULATIVE,
+        Intensity::Pgv | Intensity::Arias => &VELOCITIES[..2],
+        Intensity::Cav => &VELOCITIES,
         Intensity::RelativePga | Intensity::RelativePgv => &RATIOS,
     }
 }
 
-/// What a measure without a period is called.
-fn named_of(measure: Intensity) -> Option<Named> {
-    match measure {
-        Intensity::Pga => Some(Named::Pga),
-        Intensity::Pgv => Some(Named::Pgv),
-        Intensity::Arias => Some(Named::Arias),
-        Intensity::Cav => Some(Named::Cav),
-        Intensity::RelativePga => Some(Named::RelativePga),
-        Intensity::RelativePgv => Some(Named::RelativePgv),
-        Intensity::Sa(_) | Intensity::AverageSa(_) => None,
-    }
+/// True of a name of levels of a list.
+fn is_name(name: &str) -> bool {
+    is_of(ANY, name) || is_of_measure(name)
+}
+
+/// True of the name of a measure, or of an acceleration.
+fn is_of_measure(name: &str) -> bool {
+    is_of(ACCELERATION_NAMES, name) || MEASURES.iter().any(|(_, names)| is_of(names, name))
 }
 
 /// True of words of a probability.
 pub(super) fn is_of_probabilities(text: &str) -> bool {
-    let text = text.to_lowercase();
-    PROBABILITIES.iter().any(|part| text.contains(part))
+    has(PROBABILITIES, &text.to_lowercase())
 }
 
 /// True of two names that are a heading, and not words of a comment: one of them is of a list, or the second is of a probability.
 pub(super) fn is_meant([level, rate]: [&str; 2]) -> bool {
-    let words = words(level);
-    let is_first = |(name, _): &(&str, Named)| words.first().is_some_and(|word| word == name);
-    is_of_rates(rate) || is_of_probabilities(rate) || NAMES.iter().any(is_first)
+    let is_level = words(level).first().is_some_and(|word| is_name(word));
+    is_level || is_of_rates(rate) || is_of_probabilities(rate)
 }
 
 /// True of a name of annual rates or of return periods.
@@ -296,56 +224,50 @@ pub(super) fn is_of_rates(heading: &str) -> bool {
 
 /// What the name of the second column says; none where it is of no list.
 fn rates(heading: &str) -> Option<Rates> {
-    let said = words(heading).join(" ").replace("^", "");
-    let said = said.as_str();
-    let without = |ends: &[&'static str]| -> Vec<&str> {
-        let ended = |end: &&str| {
-            let name = said.strip_suffix(end)?;
-            (name.ends_with(' ') || end.starts_with('/')).then_some(name.trim_end())
-        };
-        ends.iter().filter_map(ended).chain([said]).collect()
+    let said = words(heading).join(" ").replace('^', "");
+    let with = |ends: &str, is: &dyn Fn(&str) -> bool| {
+        let mut ends = ends.split('|');
+        ends.any(|end| match said.strip_suffix(end) {
+            Some(name) if name.ends_with(' ') || end.starts_with('/') => is(name.trim_end()),
+            _ => false,
+        })
     };
-    let is_rate = |name: &&str| {
+    let is_rate = |name: &str| {
         let name = name.strip_prefix("mean ").unwrap_or(name);
         let first = ["annual ", "yearly "].into_iter().find_map(|first| name.strip_prefix(first));
-        RATES.contains(&first.unwrap_or(name))
+        is_of(RATES, first.unwrap_or(name))
     };
-    if without(&PER_YEAR).iter().any(is_rate) && said != "exceedances" {
+    let is_period = |name: &str| is_of(PERIODS, name);
+    // Alone `exceedances` says no time.
+    if with(PER_YEAR, &is_rate) || is_rate(&said) && said != "exceedances" {
         return Some(Rates::Annual);
     }
-    let is_period = |name: &&str| PERIODS.contains(name);
-    without(&YEARS).iter().any(is_period).then_some(Rates::Periods)
+    (with(YEARS, &is_period) || is_period(&said)).then_some(Rates::Periods)
 }
 
 /// True of a name of the second column, of no list, that may be of something else than annual rates.
 fn contradicts_rates(heading: &str) -> bool {
-    let said = heading.to_lowercase();
-    let is_probability = |word: &String| ["p", "pe", "pp", "ape", "aep"].contains(&word.as_str());
-    said.contains(char::is_numeric)
+    heading.contains(char::is_numeric)
         || is_of_probabilities(heading)
-        || TIMES.iter().any(|part| said.contains(part))
-        || words(heading).iter().any(is_probability)
+        || has(TIMES, &heading.to_lowercase())
+        || words(heading).iter().any(|word| is_of(PROBABILITY_WORDS, word))
 }
 
 /// True of a name of levels, of no list, that has a measure, or in brackets a unit, of its own.
 fn contradicts_levels(heading: &str, said: &[&str], units: Units) -> bool {
-    let is_named = |word: &&str| {
-        let other = |(known, named): &(&str, Named)| known == word && *named != Named::Any;
-        OTHERS.contains(word) || NAMES.iter().any(other)
-    };
     let brackets =
         heading.split(['(', '[']).skip(1).filter_map(|part| part.split([')', ']']).next());
     let is_other = |unit: &str| {
-        let spelled = spelled(&words(unit).concat());
-        !ACCELERATIONS.iter().any(|(all, name, _)| *name == units.key() && all.contains(&&*spelled))
+        let of = spelled(&words(unit).concat());
+        !ACCELERATIONS.iter().any(|(all, name, _)| *name == units.key() && is_of(all, &of))
     };
-    said.iter().any(is_named) || brackets.map(is_other).any(|other| other)
+    said.iter().any(|word| is_of(OTHERS, word) || is_of_measure(word)) || { brackets }.any(is_other)
 }
 
 /// A period, s: `0.2`, `0.2s`, `t=0.2`, `0p2`.
 fn period(word: &str) -> Option<f64> {
     let word = word.strip_prefix("t=").unwrap_or(word);
-    let word = SECONDS.iter().rev().find_map(|unit| word.strip_suffix(unit)).unwrap_or(word);
+    let word = SECONDS.split('|').find_map(|unit| word.strip_suffix(unit)).unwrap_or(word);
     word.replace('p', ".").parse().ok().filter(|period: &f64| *period > 0.0)
 }
 
@@ -569,11 +491,12 @@ mod tests {
     #[test]
     fn the_page_has_the_lists() {
         let page = include_str!("../../../../docs/fragility.md");
-        let units = [&ACCELERATIONS[..], &CUMULATIVE, &RATIOS].concat();
-        let units = units.iter().map(|(spellings, ..)| spellings[0]).filter(|one| *one != "gs");
-        let names = NAMES.iter().map(|(name, _)| *name);
-        let lists = [&RATES[..], &PER_YEAR, &PERIODS, &YEARS, &COMPONENTS, &["gal", "g s", "5%"]];
-        for word in units.chain(names).chain(lists.concat()) {
+        let units = [&ACCELERATIONS[..], &VELOCITIES, &RATIOS].concat();
+        let units = units.iter().flat_map(|(_, name, _)| name.split('|'));
+        let names = MEASURES.iter().flat_map(|(_, names)| names.split('|'));
+        let lists =
+            [ANY, ACCELERATION_NAMES, RATES, PER_YEAR, PERIODS, YEARS, COMPONENTS, "gal|-|5%"];
+        for word in units.chain(names).chain(lists.iter().flat_map(|list| list.split('|'))) {
             assert!(page.contains(&format!("`{word}`")), "{word}");
         }
     }

@@ -53,7 +53,7 @@ impl<'a> Rows<'a> {
                 Some(sign.filter(known).ok_or_else(|| TableError::at(line, problem))?)
             }
         };
-        rows.to_row();
+        rows.skip_to_row();
         let first = first_line(rows.rest);
         let inner = within_quotes(first.trim());
         rows.wrapped = inner.is_some();
@@ -76,7 +76,7 @@ impl<'a> Rows<'a> {
     }
 
     /// Goes on to a line that is neither empty nor a comment.
-    fn to_row(&mut self) {
+    fn skip_to_row(&mut self) {
         while !self.rest.is_empty() {
             let line = first_line(self.rest).trim_start();
             if !line.is_empty() && !line.starts_with('#') {
@@ -149,7 +149,7 @@ impl<'a> Iterator for Rows<'a> {
 
     fn next(&mut self) -> Option<Self::Item> {
         loop {
-            self.to_row();
+            self.skip_to_row();
             if self.rest.is_empty() {
                 return None;
             }
