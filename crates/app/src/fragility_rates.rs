@@ -114,7 +114,9 @@ fn judged(rate: &RateEstimate, target: f64) -> Option<String> {
             "{is} the target {target}{}: at most {value}, with what may be missing",
             if below { "" } else { " as far as is known" }
         ),
-        Some(_) if !below => format!("not below the target {target}: {value} with what may be missing"),
+        Some(_) if !below => {
+            format!("not below the target {target}: {value} with what may be missing")
+        }
         Some(high) => {
             let end = if high <= target { "is, too" } else { "is not" };
             format!(

@@ -115,8 +115,12 @@ impl MergeCommand {
                 let repaired = map.repair(&opened.backends, &screen);
                 repaired.map_err(|error| sweep_error(map.stopped(error)))?;
             }
-            refined =
-                super::run::refine(&map, &opened.backends, (self.parts.refine, self.parts.smooth), &screen)?;
+            refined = super::run::refine(
+                &map,
+                &opened.backends,
+                (self.parts.refine, self.parts.smooth),
+                &screen,
+            )?;
         }
         let (verify, estimate) = (Verify::settings(self.verify), Duration::ZERO);
         let files = &files[..];

@@ -105,9 +105,14 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
         SweepResult::Map(map) => {
             let (verify, estimate) = (Verify::settings(options.verify), sampling);
             let files = &files[..];
-            let (sharpness, spectrum, talk) = (options.parts.sharpness, options.parts.spectrum, options.talk);
-            let refined =
-                refine(&map, &opened.backends, (options.parts.refine, options.parts.smooth), &screen)?;
+            let (sharpness, spectrum, talk) =
+                (options.parts.sharpness, options.parts.spectrum, options.talk);
+            let refined = refine(
+                &map,
+                &opened.backends,
+                (options.parts.refine, options.parts.smooth),
+                &screen,
+            )?;
             let refined = refined.as_ref();
             let pictures = &options.run.pictures;
             let to = Finish {
@@ -141,7 +146,8 @@ pub fn place(scene: &Scene, options: &MapOptions) -> Result<Place, InputError> {
         Kind::Probability => probability::names(),
         _ => {
             let grid = Grid::of(scene);
-            let extras = Extras { leaves: options.parts.refine.is_some(), spectrum: options.parts.spectrum };
+            let extras =
+                Extras { leaves: options.parts.refine.is_some(), spectrum: options.parts.spectrum };
             let content = (scene, &grid, options.method().columns);
             map_files::places(content, &options.files(&grid), extras)
         }

@@ -4,8 +4,8 @@ use topple::results::colour::BLACK;
 use topple::scene::parameters::{Entry, Section};
 use topple::scene::record::rounded;
 use topple::scene::{Case, Device, Grid, Parameter, Scene};
-use topple_pictures::drawing::share::percent;
 use topple_pictures::drawing::canvas::{Canvas, Place, dashed, stroke};
+use topple_pictures::drawing::share::percent;
 use topple_pictures::drawing::text::{MIDDLE, style};
 use topple_pictures::drawing::{COLUMN, FONT};
 

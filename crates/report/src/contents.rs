@@ -160,9 +160,9 @@ fn sentence(folder: &Folder, scene: &Scene) -> String {
 fn blocks(folders: &[Folder]) -> Vec<Piece> {
     let mut drawn: Vec<String> = Vec::new();
     let mut pieces = Vec::new();
-    let scenes = folders.iter().flat_map(|folder| {
-        folder.scenes().into_iter().map(|scene| (scene, folder.varied()))
-    });
+    let scenes = folders
+        .iter()
+        .flat_map(|folder| folder.scenes().into_iter().map(|scene| (scene, folder.varied())));
     for (scene, varied) in scenes {
         let Some(case) = block::case(&scene) else { continue };
         let svg = block::draw(&scene, &case);
@@ -172,8 +172,7 @@ fn blocks(folders: &[Folder]) -> Vec<Piece> {
         let Ok(outlined) = topple_pictures::drawing::render::outlined(&svg) else { continue };
         let mut caption = block::caption(&scene, &case);
         if !varied.is_empty() {
-            let names: Vec<&str> =
-                varied.iter().map(|one| one.parameter.entry().symbol).collect();
+            let names: Vec<&str> = varied.iter().map(|one| one.parameter.entry().symbol).collect();
             caption += &format!(
                 " Not known exactly, and drawn with one of the values: {}.",
                 names.join(", ")

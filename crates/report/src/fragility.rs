@@ -1,7 +1,7 @@
 //! What a fragility found: its curves, the hazard of its site, how often the block fails.
 
-use topple_pictures::drawing::share::percent;
 use topple_pictures::drawing::render;
+use topple_pictures::drawing::share::percent;
 use topple_pictures::studies::hazard;
 use topple_studies::suites::intensity::Intensity;
 

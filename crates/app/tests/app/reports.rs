@@ -590,7 +590,10 @@ fn a_report_counts_motions_and_names_lines_without_one() {
     topple(&place, &[&envelope[..], &base].concat()).success();
     topple(&place, &["report", "envelope", "--out", "report.html"]).success();
     let page = read(&place.path().join("report.html"));
-    assert!(page.contains("4 motions of the suite list.csv") && page.contains("2 lines of it have no motion."));
+    assert!(
+        page.contains("4 motions of the suite list.csv")
+            && page.contains("2 lines of it have no motion.")
+    );
 }
 
 /// What a run did not take as known is not called fixed.

@@ -62,7 +62,10 @@ fn all_commands_have_the_same_runs() {
         let base = format!("{block} {}", flags.join(" "));
         for scale in [0.7, 1.3] {
             let several = format!("0.35,{scale},3.1");
-            topple(&place, &format!("fragility {base} --scale {several} --bootstrap 39 --out several"));
+            topple(
+                &place,
+                &format!("fragility {base} --scale {several} --bootstrap 39 --out several"),
+            );
             let runs = rows(&at("several/runs.csv"));
             assert_eq!(runs.len(), 3);
             if !stands(&runs[1]) {
@@ -70,10 +73,22 @@ fn all_commands_have_the_same_runs() {
             }
             standing += 1;
             let wanted = told(&runs[1], of_run);
-            topple(&place, &format!("fragility {base} --scale {scale} --bootstrap 39 --out single"));
+            topple(
+                &place,
+                &format!("fragility {base} --scale {scale} --bootstrap 39 --out single"),
+            );
             assert_eq!(told(&rows(&at("single/runs.csv"))[0], of_run), wanted, "{values} {scale}");
-            topple(&place, &format!("compare devices.csv {block} --scale {scale} --columns zeta --out compare"));
-            assert_eq!(told(&rows(&at("compare/compare.csv"))[0], columns), wanted, "{values} {scale}");
+            topple(
+                &place,
+                &format!(
+                    "compare devices.csv {block} --scale {scale} --columns zeta --out compare"
+                ),
+            );
+            assert_eq!(
+                told(&rows(&at("compare/compare.csv"))[0], columns),
+                wanted,
+                "{values} {scale}"
+            );
             for scales in [scale.to_string(), several] {
                 topple(&place, &format!("envelope {base} --scale {scales} --out envelope"));
                 let strokes = at_scale(&at("envelope/envelope.csv"), scale);
@@ -150,7 +165,11 @@ fn every_command_says_what_computed_it() {
     {
         let text = fs::read_to_string(place.path().join(name).join("run.json")).unwrap();
         let run: serde_json::Value = serde_json::from_str(&text).unwrap();
-        assert_eq!((&run["backend"], &run["precision"]), (&"cpu".into(), &precision.into()), "{name}");
+        assert_eq!(
+            (&run["backend"], &run["precision"]),
+            (&"cpu".into(), &precision.into()),
+            "{name}"
+        );
         let adapter = run.as_object().unwrap().get("adapter").unwrap();
         assert!(adapter.is_null(), "{name}");
         let threads = run["threads"].as_u64().unwrap();

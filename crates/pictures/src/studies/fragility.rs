@@ -12,8 +12,8 @@ use topple::results::palette::STATES;
 use topple::scene::grid;
 use topple::scene::words;
 use topple_studies::fragility::estimate::Estimate;
-use topple_studies::fragility::{Curve, HazardCurve, Lognormal};
 use topple_studies::fragility::study::{StateStudy, Study};
+use topple_studies::fragility::{Curve, HazardCurve, Lognormal};
 use topple_studies::suites::intensity::Intensity;
 use topple_studies::uncertain::Varied;
 
@@ -68,7 +68,10 @@ pub fn curves(study: &Study, intensity: Intensity, print: Print) -> String {
     let through = |of: Curve, theta: f64, others: [f64; 2]| -> Vec<Point> {
         let mut points: Vec<f64> = (0..=POINTS).map(level).chain(others).collect();
         points.sort_by(f64::total_cmp);
-        points.into_iter().map(|x| frame.at((x.log10(), of.probability(x * (of.theta / theta))))).collect()
+        points
+            .into_iter()
+            .map(|x| frame.at((x.log10(), of.probability(x * (of.theta / theta)))))
+            .collect()
     };
     let one = study.cells[0].states.iter().zip(&study.settings.states);
     canvas.clipped(place, |canvas| {

@@ -150,7 +150,8 @@ impl Curve {
 /// The share that fails by some parts of a curve.
 pub(super) fn fails(parts: impl Iterator<Item = Part>, ln: f64) -> f64 {
     let both = parts.map(|part| part.shares(ln));
-    both.reduce(|[p, stands], [q, others]| [p + q * stands, stands * others]).map_or(0.0, |[p, _]| p)
+    both.reduce(|[p, stands], [q, others]| [p + q * stands, stands * others])
+        .map_or(0.0, |[p, _]| p)
 }
 
 impl From<Lognormal> for Curve {

@@ -70,8 +70,8 @@ pub fn bootstrap(
     };
     let theta = interval(|drawn| drawn.theta, estimate.theta)
         .map(|theta| theta.filter(|theta| is_level(*theta)));
-    let rate = hazard
-        .map_or([None; 2], |hazard| interval(|drawn| drawn.rate, hazard.rate(estimate).rate));
+    let rate =
+        hazard.map_or([None; 2], |hazard| interval(|drawn| drawn.rate, hazard.rate(estimate).rate));
     Interval { theta, beta: interval(|drawn| drawn.beta, estimate.beta), rate, without_fit }
 }
 

@@ -99,7 +99,8 @@ impl RateEstimate {
             let high = bounds.map(|[step, bent]| step.rate.max(bent.rate));
             let low = within.map(|(theta, _)| theta[1].map_or(0.0, |high| rate(high, 0.0)));
             let of_step = RateEstimate::of_curve(&step, stripes, hazard);
-            let below = bounds.map_or(0.0, |[step, bent]| step.missing_below.max(bent.missing_below));
+            let below =
+                bounds.map_or(0.0, |[step, bent]| step.missing_below.max(bent.missing_below));
             let missing_below = of_step.missing_below.max(below);
             return RateEstimate { low, high, missing_below, of_step: true, ..of_step };
         }

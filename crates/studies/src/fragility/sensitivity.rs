@@ -2,11 +2,11 @@
 
 use rayon::prelude::*;
 
+use super::Lognormal;
 use super::limit_state::LimitState;
 use super::runs::{Pool, RecordRuns};
 use super::stripes;
 use super::suite_runs::SuiteRuns;
-use super::Lognormal;
 use crate::statistics::quantile::Sorted;
 use crate::suites::wanted::WantedMotion;
 use crate::uncertain::{Design, Index, Varied, indices};

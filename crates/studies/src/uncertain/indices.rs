@@ -123,8 +123,9 @@ pub fn indices(y_a: &[f64], y_b: &[f64], y_ab: &[Vec<f64>], seed: u32) -> Vec<In
             }
         }
     }
-    let one = |([first, total], [firsts, totals]): ([f64; 2], [Vec<f64>; 2])| {
-        Index { first: Explained::of(first, n, firsts), total: Explained::of(total, n, totals) }
+    let one = |([first, total], [firsts, totals]): ([f64; 2], [Vec<f64>; 2])| Index {
+        first: Explained::of(first, n, firsts),
+        total: Explained::of(total, n, totals),
     };
     whole.into_iter().zip(resampled).map(one).collect()
 }

@@ -51,7 +51,9 @@ impl Varied {
             }
             Form::Uniform { low, high } => format!("uniform from {low} to {high}{unit}"),
             Form::Lognormal { median, beta } => {
-                format!("lognormal, median {median}{unit}, standard deviation of its logarithm {beta}")
+                format!(
+                    "lognormal, median {median}{unit}, standard deviation of its logarithm {beta}"
+                )
             }
         };
         let cut = cut.map(|(low, high)| format!(", cut off at {low} and {high}{unit}"));

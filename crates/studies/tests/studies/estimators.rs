@@ -11,8 +11,8 @@ use topple_studies::Bootstrap;
 use topple_studies::fragility::ida::Capacities;
 use topple_studies::fragility::runs::{Pool, Stripe};
 use topple_studies::fragility::{
-    Capacity, Curve, Estimate, Estimator, Fit, Gap, Lognormal, Note, RecordRuns, Run, estimate, profile,
-    share_that_stands_again, stripes,
+    Capacity, Curve, Estimate, Estimator, Fit, Gap, Lognormal, Note, RecordRuns, Run, estimate,
+    profile, share_that_stands_again, stripes,
 };
 
 const BOOTSTRAP: Bootstrap = Bootstrap { replicates: 200, seed: 1 };

@@ -250,7 +250,8 @@ mod own {
     pub fn curve(records: &[RecordRuns], demands: bool) -> impl Fn(f64) -> f64 {
         let runs: Vec<Run> = records.iter().flat_map(|record| record.runs.clone()).collect();
         let collapses = runs.iter().any(|run| run.collapsed);
-        let of: fn(&Run) -> bool = if demands { |run: &Run| run.collapsed } else { |run: &Run| run.failed };
+        let of: fn(&Run) -> bool =
+            if demands { |run: &Run| run.collapsed } else { |run: &Run| run.failed };
         let logit = (collapses || !demands).then(|| logistic(&runs, of));
         let line = demands.then(|| line(&runs));
         move |ln: f64| {
@@ -259,8 +260,7 @@ mod own {
             let within = line.map_or(1.0, |[ln_a, b, sigma]| phi(-(ln_a + b * ln) / sigma));
             // What fails is small where few do: not as a difference.
             let by_demand = line.map_or(0.0, |[ln_a, b, sigma]| phi((ln_a + b * ln) / sigma));
-            let by_collapse =
-                logit.map_or(0.0, |[a, b]| 1.0 / (1.0 + (-(a + b * ln)).exp()));
+            let by_collapse = logit.map_or(0.0, |[a, b]| 1.0 / (1.0 + (-(a + b * ln)).exp()));
             if by_demand < 0.5 { by_demand + by_collapse * within } else { 1.0 - within * stands }
         }
     }
@@ -309,8 +309,15 @@ fn cloud(seed: u64, slope: f64, scatter: f64, collapse: Option<[f64; 2]>) -> Vec
 /// The rate of a cloud is the integral of its own curve, whatever its shape: not of the lognormal curve of its median.
 #[test]
 fn the_rate_of_a_cloud_is_the_integral_of_its_own_curve() {
-    let table =
-        [[0.05, 0.4], [0.2, 0.1], [0.5, 0.05], [1.0, 0.02], [2.0, 6e-3], [4.0, 1.2e-3], [16.0, 1e-5]];
+    let table = [
+        [0.05, 0.4],
+        [0.2, 0.1],
+        [0.5, 0.05],
+        [1.0, 0.02],
+        [2.0, 6e-3],
+        [4.0, 1.2e-3],
+        [16.0, 1e-5],
+    ];
     let rows: String = table.iter().map(|[x, rate]| format!("{x},{rate}\n")).collect();
     let hazard = self::table(&rows);
     let shapes = [
@@ -343,10 +350,7 @@ fn the_rate_of_a_cloud_is_the_integral_of_its_own_curve() {
             // Between the first two points lambda is 0.02/x.
             let on = |decades: f64| {
                 let x = 0.05 * 10.0_f64.powf(-decades);
-                own::rate(
-                    own::curve(records, demands),
-                    &[[x, 0.02 / x], [0.05, 0.4]],
-                )
+                own::rate(own::curve(records, demands), &[[x, 0.02 / x], [0.05, 0.4]])
             };
             match rate.missing_below.is_finite() {
                 true => near(rate.missing_below, on(12.0), 1.0e-4),
@@ -382,5 +386,36 @@ fn without_a_closed_interval_a_target_is_kept_by_the_upper_bound() {
     let curve = stripes(&records(&capacities(2.0, 0.4, 30), &levels, 1)).rate.unwrap();
     let most = curve.with_missing().unwrap();
     assert!(most * 1.01 < curve.high.unwrap());
-    assert_eq!((target(&curve, 1.01 * most), target(&curve, 0.99 * most)), (Some(true), Some(false)));
+    assert_eq!(
+        (target(&curve, 1.01 * most), target(&curve, 0.99 * most)),
+        (Some(true), Some(false))
+    );
+}
+
+/// Curves of a cloud may cross, too: where they do, and what of a rate is from above the other curve.
+#[test]
+fn curves_of_a_cloud_that_cross_are_found() {
+    let table = [[0.05, 0.4], [0.5, 0.05], [2.0, 6e-3], [16.0, 1e-5]];
+    let rows: String = table.iter().map(|[x, rate]| format!("{x},{rate}\n")).collect();
+    let hazard = self::table(&rows);
+    let fit =
+        |records: &[RecordRuns]| estimate(Estimator::Cloud, records, &BOOTSTRAP, Some(&hazard));
+    // Demands that scatter widely, above a curve that is steep.
+    let wide = fit(&cloud(1, 0.4, 0.9, Some([6.0, 0.3])));
+    let steep = fit(&cloud(2, 1.6, 0.2, None));
+    let states = [LimitState::Overturning, LimitState::Uplift];
+    let found = crossings(&states, &[&wide, &steep], Some(&hazard));
+    let [one] = found[..] else { panic!("{found:?}") };
+    let (own, other) = (wide.curve.unwrap(), steep.curve.unwrap());
+    let level = one.level.unwrap();
+    near(own.probability(level), other.probability(level), 1.0e-9);
+    assert!(one.below && own.probability(0.9 * level) > other.probability(0.9 * level));
+    let rate = wide.rate.unwrap().rate.unwrap();
+    let held = hazard.held_below(&own, &[other]);
+    near(held + hazard.excess(&own, &[other]), rate, 1.0e-9);
+    near(one.share.unwrap(), 1.0 - held / rate, 1.0e-9);
+    let lower = |ln: f64| own.probability(ln.exp()).min(other.probability(ln.exp()));
+    near(held, own::rate(lower, &table), 1.0e-6);
+    assert!(held < 0.9 * rate, "{held} {rate}");
+    assert!(crossings(&states, &[&steep, &wide], Some(&hazard)).iter().all(|one| !one.below));
 }
