@@ -189,7 +189,7 @@ fn curves_of_ordered_limit_states_that_cross_are_found() {
     // Against a step all of the tail below it is above.
     let step = stripes(&records(&[1.5; 30], &levels, 1));
     let [one] = crossings(&states[..2], &[&wide, &step], Some(&hazard()))[..] else { panic!() };
-    let below = hazard().rate_between(&a, f64::NEG_INFINITY, step.theta.unwrap().ln());
+    let below = hazard().rate_between(a, f64::NEG_INFINITY, step.theta.unwrap().ln());
     near(one.share.unwrap(), below / rate, 1.0e-9);
 }
 
