@@ -4,7 +4,6 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde_json::json;
-use topple::results;
 use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, ROCKS, dots, is_dotted};
 use topple::results::print_palette::{Palette, Texture};
 use topple::results::ramp;

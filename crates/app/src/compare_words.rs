@@ -1,7 +1,7 @@
 //! What `topple compare` prints and warns of.
 
 use topple::scene::Parameter;
-use topple_pictures::drawing::share::percent;
+use topple_pictures::drawing::share::{given, percent};
 use topple_studies::comparison::{self, Compared, Comparison, Rated};
 use topple_studies::suites::envelope::{CellEnvelope, Limits, NotKept};
 use topple_studies::suites::intensity::Intensity;
@@ -134,7 +134,7 @@ fn not_kept(cell: &CellEnvelope, limits: Limits) -> String {
     let words = |kind: NotKept| match (kind, limits.standing) {
         (NotKept::Standing, 1.0) => "the block does not stand under all motions".to_string(),
         (NotKept::Standing, share) => {
-            format!("the block stands under less than {} of the motions", percent(share))
+            format!("the block stands under less than {} of the motions", given(share))
         }
         (NotKept::U, _) => "|u| exceeds its limit".to_string(),
         (NotKept::V, _) => "the stroke of v exceeds its limit".to_string(),

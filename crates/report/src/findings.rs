@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use topple::results::columns::TABLE;
 use topple::results::earlier::Kind;
 use topple::scene::words;
-use topple_pictures::drawing::share::percent;
+use topple_pictures::drawing::share::{given, percent};
 use topple_studies::uncertain::Varied;
 
 use super::document::Piece;
@@ -246,7 +246,7 @@ pub fn limits(folder: &Folder) -> String {
     let mut text = match share {
         1.0 => "Limits: the block stands under all motions".to_string(),
         share => {
-            format!("Limits: the block stands under at least {} of the motions", percent(share))
+            format!("Limits: the block stands under at least {} of the motions", given(share))
         }
     };
     for (key, what) in [

@@ -239,7 +239,7 @@ pub fn curve(bytes: &[u8]) -> Result<(), String> {
     let curve = hazard_text::of_bytes(bytes, Intensity::Pga, None);
     let curve = curve.map_err(|error| error.to_string())?.curve;
     for (theta, beta) in [(0.5, 0.4), (1.0, 1e-9), (1e-300, 5.0), (1e300, 0.0), (2.0, 300.0)] {
-        let rate = curve.rate(&Lognormal { theta, beta }).rate;
+        let rate = curve.rate(Lognormal { theta, beta }).rate;
         assert!(rate >= 0.0, "{theta} {beta}: {rate}");
     }
     Ok(())

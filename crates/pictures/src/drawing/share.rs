@@ -2,6 +2,8 @@
 //!
 //! Twin: `percent` in crates/explore/src/page/numbers.js.
 
+use topple::scene::record::rounded;
+
 /// A share as a percentage.
 pub fn percent(share: f64) -> String {
     let text = format!("{:.1} %", 100.0 * share);
@@ -10,6 +12,12 @@ pub fn percent(share: f64) -> String {
         "100.0 %" if share < 1.0 => "more than 99.9 %".into(),
         _ => text,
     }
+}
+
+/// A share that somebody gave, or a percentile, as a percentage with all its digits.
+pub fn given(share: f64) -> String {
+    // Twelve digits: 100 times 0.29 is not 29.
+    format!("{} %", rounded(100.0 * share, 12))
 }
 
 /// Shares of a whole that sum to 100.0 %: those with the largest remainders are rounded up.
@@ -33,7 +41,7 @@ pub fn shares(counts: &[usize]) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{percent, shares};
+    use super::{given, percent, shares};
 
     #[test]
     fn shares_sum_to_a_hundred_percent() {
@@ -64,6 +72,7 @@ mod tests {
         ] {
             assert_eq!(percent(share), text, "{share}");
         }
+        assert_eq!([0.29, 0.84, 0.9999, 1.0].map(given), ["29 %", "84 %", "99.99 %", "100 %"]);
         // A legend rounds as a sentence does.
         assert_eq!(shares(&[1443, 1]), ["99.9 %", "0.1 %"]);
     }

@@ -6,6 +6,7 @@ use crate::drawing::canvas::{Canvas, Place, Stroke, dashed, stroke};
 use crate::drawing::frame::{Axis, BELOW, Frame, Written};
 use crate::drawing::legend::{self, Entry, entry};
 use crate::drawing::print::Print;
+use crate::drawing::share::given;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::text::{MIDDLE, shortened, style, width};
 use crate::drawing::{FONT, MARGIN, MILLIMETRE, caption};
@@ -115,7 +116,7 @@ fn motions(scene: &Scene) -> String {
 fn standing(share: f64) -> String {
     match share {
         1.0 => "the block is to stand under all motions".into(),
-        share => format!("the block is to stand under {} % of the motions", 100.0 * share),
+        share => format!("the block is to stand under {} of the motions", given(share)),
     }
 }
 
@@ -195,7 +196,7 @@ fn entries(panels: &[Panel], motions: &str) -> Vec<Entry> {
     let strokes = |panel: &&Panel| matches!(panel.shown, Shown::Strokes(..));
     if panels.iter().any(|panel| strokes(&panel)) {
         for (mark, share) in MARKS.into_iter().zip(SHARES) {
-            let text = format!("not exceeded under {} % of the motions", 100.0 * share);
+            let text = format!("not exceeded under {} of the motions", given(share));
             entries.push(entry(Swatch::Mark(mark, CURVES[0]), text));
         }
     }

@@ -8,6 +8,7 @@ use crate::drawing::frame::{Axis, BELOW, BOTH};
 use crate::drawing::legend::{self, entry};
 use crate::drawing::print::Print;
 use crate::drawing::raster::png;
+use crate::drawing::share::given;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::{COLUMN, MARGIN, caption, scale};
 use crate::map::boundaries::{Line, contours};
@@ -110,7 +111,7 @@ pub fn draw(envelope: &Envelope, title: &str, print: Print) -> Result<Option<Str
     let bottom = scale::draw(&mut canvas, at, side, axis, shade)?;
     let standing = match limits.standing {
         1.0 => "border of standing under all motions".to_string(),
-        share => format!("border of standing under {} % of the motions", 100.0 * share),
+        share => format!("border of standing under {} of the motions", given(share)),
     };
     let [around, of_u, of_v] = all.each_ref().map(|(lines, _)| !lines.is_empty());
     let feasible = best.is_some();

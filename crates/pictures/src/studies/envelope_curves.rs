@@ -6,6 +6,7 @@ use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke};
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use crate::drawing::legend::{self, entry};
 use crate::drawing::print::Print;
+use crate::drawing::share::given;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::{COLUMN, MARGIN, caption};
 use topple::results::colour::BLACK;
@@ -64,7 +65,7 @@ pub fn draw(envelope: &Envelope, axis: &grid::Axis, title: &str, print: Print) -
         entry(Swatch::Line(LIMIT), "a limit"),
     ];
     for (line, share) in LINES.iter().zip(SHARES) {
-        let text = format!("not exceeded under {} % of the motions", 100.0 * share);
+        let text = format!("not exceeded under {} of the motions", given(share));
         entries.push(entry(Swatch::Line(*line), text));
     }
     let at = (MARGIN, y - GAP + BELOW + MARGIN);

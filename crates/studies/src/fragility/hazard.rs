@@ -175,7 +175,7 @@ mod tests {
         {
             let hazard = curve(|x| 1.0e-3 * x.powf(-k), 1.0e-6, 1.0e9, 31);
             let wanted = 1.0e-3 * f64::powf(theta, -k) * (0.5 * k * k * beta * beta).exp();
-            let found = hazard.rate(&Lognormal { theta, beta });
+            let found = hazard.rate(Lognormal { theta, beta });
             assert!((found.rate / wanted - 1.0).abs() < 1.0e-7, "{} {wanted}", found.rate);
         }
     }
@@ -184,7 +184,7 @@ mod tests {
     fn trapezoids_go_to_the_rate_as_points_are_put_between() {
         let fragility = Lognormal { theta: 0.8, beta: 0.3 };
         let law = |x: f64| 0.01 * x.powf(-1.7);
-        let wanted = curve(law, 0.1, 4.0, 6).rate(&fragility).rate;
+        let wanted = curve(law, 0.1, 4.0, 6).rate(fragility).rate;
         let trapezoids = |count: u32| {
             let points = curve(law, 0.1, 4.0, count).points;
             let p = |point: &[f64; 2]| fragility.probability(point[0].exp());
@@ -204,7 +204,7 @@ mod tests {
     #[test]
     fn a_step_takes_the_rates_above_it() {
         let hazard = table("level,rate\n1,1e-2\n4,1e-4\n");
-        let rate = |theta| hazard.rate(&Lognormal { theta, beta: 0.0 });
+        let rate = |theta| hazard.rate(Lognormal { theta, beta: 0.0 });
         let near = |found: f64, wanted: f64| (found / wanted - 1.0).abs() < 1.0e-12;
         // In the middle of ln x the rate is the geometric mean.
         assert!(near(rate(2.0).rate, 1.0e-3 - 1.0e-4), "{:?}", rate(2.0));
@@ -213,7 +213,7 @@ mod tests {
         // Over four levels lambda falls to a hundredth, so that at half of the first level it is ten times as large.
         assert!(near(rate(0.5).missing_below, 1.0e-1 - 1.0e-2), "{:?}", rate(0.5));
         assert!(near(rate(0.5).at_most(), 1.0e-1), "{:?}", rate(0.5));
-        let narrow = hazard.rate(&Lognormal { theta: 2.0, beta: 1.0e-9 });
+        let narrow = hazard.rate(Lognormal { theta: 2.0, beta: 1.0e-9 });
         assert!((narrow.rate / rate(2.0).rate - 1.0).abs() < 1.0e-7, "{narrow:?}");
     }
 
@@ -224,9 +224,9 @@ mod tests {
         {
             let law = |x: f64| 1.0e-3 * x.powf(-k);
             let fragility = Lognormal { theta, beta };
-            let whole = curve(law, 1.0e-9, 30.0, 31).rate(&fragility);
+            let whole = curve(law, 1.0e-9, 30.0, 31).rate(fragility);
             for first in [0.01, 0.1, 0.7, 3.0, 20.0] {
-                let cut = curve(law, first, 30.0, 5).rate(&fragility);
+                let cut = curve(law, first, 30.0, 5).rate(fragility);
                 let found = cut.rate + cut.missing_below;
                 assert!((found / whole.rate - 1.0).abs() < 2.0e-7, "{first}: {cut:?} {whole:?}");
                 assert!(first < 0.5 * theta || cut.missing_below > 0.02 * whole.rate, "{cut:?}");
@@ -245,9 +245,9 @@ mod tests {
         for theta in [0.1, 0.7, 3.0, 12.9, 100.0] {
             for beta in [0.0, 0.02, 0.4, 0.8, 1.6] {
                 let fragility = Lognormal { theta, beta };
-                let whole = of(&points).rate(&fragility).rate;
+                let whole = of(&points).rate(fragility).rate;
                 for from in 0..points.len() - 1 {
-                    let part = of(&points[from..]).rate(&fragility);
+                    let part = of(&points[from..]).rate(fragility);
                     assert!(whole <= part.at_most() * (1.0 + 1.0e-12), "{theta} {beta}: {part:?}");
                 }
             }
@@ -258,19 +258,19 @@ mod tests {
     #[test]
     fn a_curve_that_says_nothing_of_what_is_below_has_no_bound_there() {
         let steep = table("level,rate\n1.4,1e-1\n1.4000001,1e-9\n");
-        let rate = steep.rate(&Lognormal { theta: 1.4, beta: 0.4 });
+        let rate = steep.rate(Lognormal { theta: 1.4, beta: 0.4 });
         assert_eq!((rate.missing_below, rate.at_most()), (f64::INFINITY, f64::INFINITY));
         let flat = table("level,rate\n1,1e-3\n2,1e-3\n");
-        assert_eq!(flat.rate(&Lognormal { theta: 0.1, beta: 0.4 }).missing_below, 0.0);
+        assert_eq!(flat.rate(Lognormal { theta: 0.1, beta: 0.4 }).missing_below, 0.0);
     }
 
     #[test]
     fn flat_and_steep_curves_have_rates() {
         let flat = table("level,rate\n1,1e-3\n2,1e-3\n");
         let fragility = Lognormal { theta: 1.4, beta: 0.4 };
-        assert_eq!(flat.rate(&fragility).rate, 0.0);
+        assert_eq!(flat.rate(fragility).rate, 0.0);
         let steep = table("level,rate\n1.4,1e-1\n1.4000001,1e-9\n");
-        assert!((steep.rate(&fragility).rate / 0.05 - 1.0).abs() < 1.0e-5);
+        assert!((steep.rate(fragility).rate / 0.05 - 1.0).abs() < 1.0e-5);
     }
 
     #[test]

@@ -393,7 +393,7 @@ mod tests {
         assert!(near(levels, [0.1 * GRAVITY, 0.6 * GRAVITY]) && unit == "g" && !assumed);
         // A step below the first level takes the difference of the ends' rates, -ln(1 - p)/50.
         let curve = read(SITE, Intensity::Sa(0.5), Some(Units::G)).unwrap().curve;
-        let rate = curve.rate(&Lognormal { theta: 1.0e-3, beta: 0.0 }).rate;
+        let rate = curve.rate(Lognormal { theta: 1.0e-3, beta: 0.0 }).rate;
         let wanted = ((1.0 - 0.1994702_f64) / (1.0 - 0.6081918)).ln() / 50.0;
         assert!((rate / wanted - 1.0).abs() < 1.0e-9, "{rate} {wanted}");
         // Older versions quote the measure otherwise.

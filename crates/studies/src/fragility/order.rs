@@ -56,7 +56,7 @@ pub fn crossings(
         let (Some(one), Some(other)) = (curves[inner], curves[outer]) else { continue };
         let Some((level, probability, below)) = meet(&one, &other) else { continue };
         let share = hazard.and_then(|hazard| {
-            let rate = hazard.rate(&one).rate;
+            let rate = hazard.rate(one).rate;
             (rate > 0.0).then(|| hazard.excess(&one, &[other]) / rate)
         });
         let counts = match share {

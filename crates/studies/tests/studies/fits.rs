@@ -80,7 +80,7 @@ fn annual_rates_agree_with_scipy() {
         .curve;
     for row in rows(include_str!("../data/fits_rates.csv")) {
         let [theta, beta, rate] = [0, 1, 2].map(|column| number(row[column]));
-        let found = curve.rate(&Lognormal { theta, beta });
+        let found = curve.rate(Lognormal { theta, beta });
         assert_near(&format!("theta {theta}, beta {beta}"), found.rate, rate);
     }
 }

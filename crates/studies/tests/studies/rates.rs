@@ -189,7 +189,7 @@ fn curves_of_ordered_limit_states_that_cross_are_found() {
     // Against a step all of the tail below it is above.
     let step = stripes(&records(&[1.5; 30], &levels, 1));
     let [one] = crossings(&states[..2], &[&wide, &step], Some(&hazard()))[..] else { panic!() };
-    let below = hazard().rate_between(&a, f64::NEG_INFINITY, step.theta.unwrap().ln());
+    let below = hazard().rate_between(a, f64::NEG_INFINITY, step.theta.unwrap().ln());
     near(one.share.unwrap(), below / rate, 1.0e-9);
 }
 
@@ -390,4 +390,32 @@ fn without_a_closed_interval_a_target_is_kept_by_the_upper_bound() {
         (target(&curve, 1.01 * most), target(&curve, 0.99 * most)),
         (Some(true), Some(false))
     );
+}
+
+/// Curves of a cloud may cross, too: where they do, and what of a rate is from above the other curve.
+#[test]
+fn curves_of_a_cloud_that_cross_are_found() {
+    let table = [[0.05, 0.4], [0.5, 0.05], [2.0, 6e-3], [16.0, 1e-5]];
+    let rows: String = table.iter().map(|[x, rate]| format!("{x},{rate}\n")).collect();
+    let hazard = self::table(&rows);
+    let fit =
+        |records: &[RecordRuns]| estimate(Estimator::Cloud, records, &BOOTSTRAP, Some(&hazard));
+    // Demands that scatter widely, above a curve that is steep.
+    let wide = fit(&cloud(1, 0.4, 0.9, Some([6.0, 0.3])));
+    let steep = fit(&cloud(2, 1.6, 0.2, None));
+    let states = [LimitState::Overturning, LimitState::Uplift];
+    let found = crossings(&states, &[&wide, &steep], Some(&hazard));
+    let [one] = found[..] else { panic!("{found:?}") };
+    let (own, other) = (wide.curve.unwrap(), steep.curve.unwrap());
+    let level = one.level.unwrap();
+    near(own.probability(level), other.probability(level), 1.0e-9);
+    assert!(one.below && own.probability(0.9 * level) > other.probability(0.9 * level));
+    let rate = wide.rate.unwrap().rate.unwrap();
+    let held = hazard.held_below(&own, &[other]);
+    near(held + hazard.excess(&own, &[other]), rate, 1.0e-9);
+    near(one.share.unwrap(), 1.0 - held / rate, 1.0e-9);
+    let lower = |ln: f64| own.probability(ln.exp()).min(other.probability(ln.exp()));
+    near(held, own::rate(lower, &table), 1.0e-6);
+    assert!(held < 0.9 * rate, "{held} {rate}");
+    assert!(crossings(&states, &[&steep, &wide], Some(&hazard)).iter().all(|one| !one.below));
 }
