@@ -142,7 +142,7 @@ fn rows_that_begin_with_dates_are_read_and_aligned_by_them() {
             .unwrap_or_else(|e| panic!("{text}: {e}"))
     };
     let plain = of("time (s),acc (m/s2)\n", &|k| format!("{:.2}", 0.01 * f64::from(k)));
-    let iso = |k: u32| format!("2003-01-02T03:04:{:05.2}", 59.8 + 0.01 * f64::from(k));
+    let iso = |k: u32| format!("2003-01-02T03:04:{:06.3}", 59.8 + 0.01 * f64::from(k));
     for (heading, stamp) in [
         (
             "Time,acc (m/s2)\n",
