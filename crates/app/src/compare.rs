@@ -151,11 +151,11 @@ impl CompareCommand {
         self.motions.refuse_foreign(&place, &names.collect::<Vec<_>>())?;
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
+        let job = request.open(&suite).map_err(|error| self.refused(error))?;
         suite::count(&suite, &say);
         if let Some((path, hazard)) = self.hazard.path().zip(hazard.as_ref()) {
             told::hazard(path, hazard, im, &say);
         }
-        let job = request.open(&suite).map_err(|error| self.refused(error))?;
         let [falling, at_scales] = job.falling();
         let ComparisonJob { sweep, settings } = job;
         let scenes = sweep.scenes(settings.devices.len());

@@ -111,9 +111,9 @@ impl EnvelopeCommand {
         self.motions.refuse_foreign(&place, &names.collect::<Vec<_>>())?;
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
+        let EnvelopeJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
         suite::count(&suite, &say);
         self.vary.iter().for_each(|varied| say.line("varies", varied));
-        let EnvelopeJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
         let down = sweep.downward();
         self.motions.refuse_others(&sweep, options)?;
         self.motions.tell_of_scene(std::slice::from_ref(&sweep.scene), &say);

@@ -187,12 +187,12 @@ impl FragilityCommand {
         checked.map_err(|error| flag_error(&error))?;
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
+        let job = request.open(&suite).map_err(sweep_error)?;
         suite::count(&suite, &say);
         self.vary.iter().for_each(|varied| say.line("varies", varied));
         if let Some((path, hazard)) = self.hazard.path().zip(hazard.as_ref()) {
             told::hazard(path, hazard, self.im, &say);
         }
-        let job = request.open(&suite).map_err(sweep_error)?;
         let falling = job.falling();
         let FragilityJob { sweep, settings } = job;
         self.motions.refuse_foreign(&place, &self.names(&settings.states))?;

@@ -143,6 +143,7 @@ pub fn run_cell(scene: &Scene, more: &MoreColumns, options: &RunOptions) -> anyh
     // A history is the motion to its end, proved or not.
     plan.shortcuts.certificate = false;
     plan.asked = Asked { accelerations: true, stops: true, ..Asked::ALL };
+    words::warn_of_doubts(scene);
     words::warn_of_cut_pulses(&Grid::of(scene));
     words::warn_of_lossless_impacts(&plan, &Grid::of(scene));
     let place = Place::of(&options.out, Kind::History)?;

@@ -146,6 +146,7 @@ pub fn scene(say: &Reporter, scene: &Scene, grid: &Grid) {
     block(say, scene);
     device(say, None, scene);
     record(say, scene);
+    warn_of_doubts(scene);
 }
 
 /// What is swept, a line for each axis: a decimal comma makes a list of two numbers.
@@ -162,15 +163,18 @@ pub fn block(say: &Reporter, scene: &Scene) {
     }
 }
 
-/// The record of a scene, with what was decided of it; what may be wrong with it is warned of.
+/// Warns of what may be wrong with a scene's record.
+pub fn warn_of_doubts(scene: &Scene) {
+    let doubts = scene.excitation.record().map_or(&[][..], |pair| &pair.doubts);
+    doubts.iter().for_each(|doubt| warn(with_flags(doubt)));
+}
+
+/// The record of a scene, with what was decided of it.
 pub fn record(say: &Reporter, scene: &Scene) {
     if let Excitation::Record(pair) = &scene.excitation {
         say.line("record", format!("{}, {} samples at {} s", pair.title, pair.len(), pair.dt));
         for note in &pair.notes {
             say.line("", note);
-        }
-        for doubt in &pair.doubts {
-            warn(with_flags(doubt));
         }
     }
 }

@@ -193,7 +193,7 @@ mod tests {
             (SLIST.replace("SLIST", "BINARY"), "'BINARY' is not read; give TSPAIR or SLIST"),
             (format!("{SLIST}{SLIST}"), "line 4: a second series begins here"),
             (TSPAIR.replace("100 sps", "50 sps"), "not apart by the rate of its header"),
-            (TSPAIR.replace("05.030000  -1", "05.050000  -1"), "is missing"),
+            (TSPAIR.replace("05.030000  -1", "05.050000  -1"), "are missing"),
             (GEOCSV.replace("m/s**2", "m/s"), "line 7: units of 'm/s' are not read"),
         ] {
             let problem = of(&text);

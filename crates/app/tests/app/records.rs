@@ -142,7 +142,7 @@ fn rows_that_begin_with_dates_are_read_and_aligned_by_them() {
             .unwrap_or_else(|e| panic!("{text}: {e}"))
     };
     let plain = of("time (s),acc (m/s2)\n", &|k| format!("{:.2}", 0.01 * f64::from(k)));
-    let iso = |k: u32| format!("2003-01-02T03:04:{:05.2}", 59.8 + 0.01 * f64::from(k));
+    let iso = |k: u32| format!("2003-01-02T03:04:{:06.3}", 59.8 + 0.01 * f64::from(k));
     for (heading, stamp) in [
         (
             "Time,acc (m/s2)\n",
@@ -176,7 +176,13 @@ fn rows_that_begin_with_dates_are_read_and_aligned_by_them() {
         let stamp = |k: u32| format!("2003-01-02T03:04:{:05.2}", by + 0.01 * f64::from(k));
         format!("Time,acc (m/s2)\n{}", rows(&stamp))
     };
-    let pair = pair_of(&later(5.0), &later(5.1).replace("0.9", "0.8"), true).unwrap();
+    let folder = tempfile::TempDir::new().unwrap();
+    for (name, text) in [("h.csv", later(5.0)), ("v.csv", later(5.1).replace(",0.9", ",0.8"))] {
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    let scene = "[block]\nobject = 1\n[base]\nt_h = 1\nt_v = 1\n[record]\nhorizontal = \"h.csv\"\nvertical = \"v.csv\"\n";
+    let scene = SceneBuilder::from_toml(scene).unwrap().check_in(folder.path()).unwrap();
+    let pair = scene.excitation.record().unwrap();
     assert!(
         pair.notes.iter().any(|note| note.contains("0.1 s of zeros put before it")),
         "{:?}",

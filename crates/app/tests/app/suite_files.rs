@@ -574,7 +574,7 @@ fn one_stream_in_two_processings_counts_once() {
         for (channel, azimuth) in [("HNE", Some(90)), ("HNN", Some(0)), ("HNZ", None)] {
             let mut motion = Motion::made(200, azimuth);
             let less = 0.01 * f64::from(u8::from(word == "U"))
-                + 0.1 * f64::from(u8::from(azimuth == Some(0)));
+                + 0.1 * f64::from(azimuth.map_or(5, |azimuth| u32::from(azimuth == 0)));
             motion.samples.iter_mut().for_each(|a| *a *= 1.0 - less);
             let text =
                 motion.esm().text.replacen("KEY_0: ", &format!("PROCESSING: {processing}"), 1);

@@ -112,16 +112,18 @@ fn an_offset_is_warned_of_and_a_line_takes_it_away() {
         let run = run.unwrap();
         let said = String::from_utf8(run.stderr).unwrap();
         assert!(run.status.success(), "{said}");
-        let max_u = json(&at(out))["result"]["max_u"].as_f64();
-        (said, max_u, json(&at(out)))
+        let manifest = json(&at(out));
+        (said, manifest["outcome"]["max_u"].as_f64().unwrap(), manifest)
     };
     let warning = "horizontal: the ground ends with the velocity 6 m/s, ";
-    let (said, _, _) = run(&["--horizontal", &clean], "clean");
+    let (said, still, _) = run(&["--horizontal", &clean], "clean");
     assert!(!said.contains("the ground ends"), "{said}");
-    let (said, _, manifest) = run(&["--horizontal", &off], "off");
+    let (said, drifts, manifest) = run(&["--horizontal", &off], "off");
     assert!(said.contains(warning) && said.contains("--baseline line subtracts"), "{said}");
     assert!(manifest["warnings"].to_string().contains(warning), "{manifest}");
-    let (said, _, manifest) = run(&["--horizontal", &off, "--baseline", "line"], "line");
+    let (said, level, manifest) = run(&["--horizontal", &off, "--baseline", "line"], "line");
+    // What the line leaves of the offset is its own part of the motion's velocity.
+    assert!(drifts > 2.0 * still && (level / still - 1.0).abs() < 0.05, "{still} {drifts} {level}");
     assert!(!said.contains("the ground ends"), "{said}");
     let pair = &manifest["scene"]["excitation"]["record"];
     assert!(
