@@ -289,7 +289,8 @@ ds.outcome.attrs[\"flag_meanings\"], ds.zeta.attrs[\"long_name\"], ds.attrs[\"sc
 ```
 
 Each array has its axes as dimensions, with `units`, `long_name` and, of codes, `flag_values` and `flag_meanings` (CF
-conventions); the group has what `about` has in map.npz. Codecs are `bytes` (little-endian), `gzip` (level 1) and `crc32c`, all
+conventions); the group has what `about` has in map.npz, of which objects and lists are texts in JSON, so that
+`ds.to_netcdf(\"map.nc\")` writes it as NetCDF, too. Codecs are `bytes` (little-endian), `gzip` (level 1) and `crc32c`, all
 of the core specification. The same group is what an unfinished run saves its chunks in ([interrupted.md](interrupted.md)):
 there `status` is 255 for a cell that has not run. `leaves.zarr` of a [refined map](refined.md) is such a group over the dimension `leaf`.
 

@@ -201,7 +201,8 @@ mod tests {
     /// The commands of a help: a line that ends with a backslash goes on.
     fn commands(help: &str) -> Vec<String> {
         let (_, examples) = help.split_once("Examples:").unwrap_or_default();
-        let joined = examples.replace("\\\n", " ");
+        let pieces: Vec<&str> = examples.split("\\\n").map(str::trim_start).collect();
+        let joined = pieces.join("");
         // What it does stands after it where there is room.
         let command =
             |line: &str| line.trim().split("     ").next().unwrap_or_default().to_string();

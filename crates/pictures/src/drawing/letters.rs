@@ -194,9 +194,9 @@ mod tests {
 
     #[test]
     fn letters_of_the_font_are_no_fault_and_need_no_other_font() {
-        let text = "Ünïcødé αβγδεζηθ Москва ≥ ≤ ≈ ± × · − – … ° ² ³ √ ∞ ü v\u{308}_g";
+        let text = "Ünïcødé αβγδεζηθ Москва ≥ ≤ ≈ ± × · − – … ° ² ³ √ ∞ ü";
         assert!(lacking(text).is_empty(), "{:?}", lacking(text));
-        let svg = svg(text, false);
+        let svg = svg(&format!("{text} v\u{308}_g"), false);
         assert_eq!(missing(&svg), None);
         assert_eq!(fonts(&svg).len(), 1);
         assert!(!lacking("免震 مخمد 면진 🙂").is_empty());
