@@ -433,7 +433,7 @@ mod tests {
     fn return_periods_and_other_units_are_converted() {
         let rate = |text: &str, measure| {
             let step = Lognormal { theta: 1.3, beta: 0.3 };
-            read(text, measure, None).unwrap().curve.rate(&step).rate
+            read(text, measure, None).unwrap().curve.rate(step).rate
         };
         let rates = "pga (g),rate\n0.1,0.00210526315789\n0.2,0.00040404040404\n";
         let periods = "pga (g);Return period [years]\r0,1;475\r0,2;2475\r";
