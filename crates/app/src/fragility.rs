@@ -189,14 +189,14 @@ impl FragilityCommand {
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
         let job = request.open(&suite).map_err(sweep_error)?;
-        suite::count(&suite, &say);
-        if let Some((path, hazard)) = self.hazard.path().zip(hazard.as_ref()) {
-            told::hazard(path, hazard, self.im, &say);
-        }
         let falling = job.falling();
         let FragilityJob { sweep, settings } = job;
         self.motions.refuse_foreign(&place, &self.names(&settings.states))?;
         self.motions.refuse_others(&sweep, options)?;
+        suite::count(&suite, &say);
+        if let Some((path, hazard)) = self.hazard.path().zip(hazard.as_ref()) {
+            told::hazard(path, hazard, self.im, &say);
+        }
         self.motions.tell_of_scene(std::slice::from_ref(&sweep.scene), &say);
         suite_run::tell_of_base(&sweep, options)?;
         let times = Times::points(settings.times);
