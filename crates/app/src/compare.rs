@@ -152,14 +152,14 @@ impl CompareCommand {
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
         let job = request.open(&suite).map_err(|error| self.refused(error))?;
-        suite::count(&suite, &say);
-        if let Some((path, hazard)) = self.hazard.path().zip(hazard.as_ref()) {
-            told::hazard(path, hazard, im, &say);
-        }
         let [falling, at_scales] = job.falling();
         let ComparisonJob { sweep, settings } = job;
         let scenes = sweep.scenes(settings.devices.len());
         self.motions.refuse_others(&sweep, options)?;
+        suite::count(&suite, &say);
+        if let Some((path, hazard)) = self.hazard.path().zip(hazard.as_ref()) {
+            told::hazard(path, hazard, im, &say);
+        }
         self.motions.tell_of_scene(&scenes, &say);
         told::levels(self.levels.as_ref(), im, &say);
         if let Some(scales) = &self.scales {

@@ -112,10 +112,10 @@ impl EnvelopeCommand {
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
         let EnvelopeJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
-        suite::count(&suite, &say);
-        self.vary.iter().for_each(|varied| say.line("varies", varied));
         let down = sweep.downward();
         self.motions.refuse_others(&sweep, options)?;
+        suite::count(&suite, &say);
+        self.vary.iter().for_each(|varied| say.line("varies", varied));
         self.motions.tell_of_scene(std::slice::from_ref(&sweep.scene), &say);
         suite_run::tell_of_base(&sweep, options)?;
         let times = Times::points(settings.times);

@@ -188,15 +188,15 @@ impl FragilityCommand {
         let suite = self.motions.read()?;
         let say = Reporter::unless(options.quiet);
         let job = request.open(&suite).map_err(sweep_error)?;
+        let falling = job.falling();
+        let FragilityJob { sweep, settings } = job;
+        self.motions.refuse_foreign(&place, &self.names(&settings.states))?;
+        self.motions.refuse_others(&sweep, options)?;
         suite::count(&suite, &say);
         self.vary.iter().for_each(|varied| say.line("varies", varied));
         if let Some((path, hazard)) = self.hazard.path().zip(hazard.as_ref()) {
             told::hazard(path, hazard, self.im, &say);
         }
-        let falling = job.falling();
-        let FragilityJob { sweep, settings } = job;
-        self.motions.refuse_foreign(&place, &self.names(&settings.states))?;
-        self.motions.refuse_others(&sweep, options)?;
         self.motions.tell_of_scene(std::slice::from_ref(&sweep.scene), &say);
         told::levels(self.levels.as_ref(), self.im, &say);
         suite_run::tell_of_base(&sweep, options)?;

@@ -82,6 +82,37 @@ pub struct Repeats {
     pub inputs: Inputs,
 }
 
+/// Numbers of run.json that every command with a suite has.
+#[derive(Serialize)]
+pub struct SuiteManifest<'a> {
+    /// The scene under the first motion.
+    scene: &'a Scene,
+    /// What the device's numbers make of the base's law.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    device: Option<DeviceNumbers>,
+    #[serde(serialize_with = "path_text::serialize")]
+    suite: &'a Path,
+    /// What repeats the run.
+    command: CommandLine,
+    /// The suite's motions, each once.
+    motions: Vec<&'a str>,
+    /// True where each motion is taken in both directions, as it is and reversed.
+    both_directions: bool,
+    /// Where the suite's motions came from, and how strong they are, by their ids.
+    records: BTreeMap<&'a str, Source<'a>>,
+    /// Why lines of the suite have no motion, by their ids.
+    left_out: BTreeMap<&'a str, &'a str>,
+    #[serde(flatten)]
+    computed: Computed<'a>,
+    #[serde(flatten)]
+    method: Method,
+    cells: usize,
+    sweep_seconds: f64,
+    records_times_cells_per_second: f64,
+    #[serde(skip_serializing_if = "PictureFlags::is_plain")]
+    pictures: &'a PictureFlags,
+}
+
 impl SuiteFlags {
     /// Checks what is said of the run, and makes a request of a scene.
     pub fn request(

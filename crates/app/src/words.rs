@@ -26,8 +26,8 @@ use topple::stepping::outcome::Class;
 use topple::sweep::repaired::Repair;
 use topple::sweep::verdict;
 use topple::sweep::verification::{Verdict, Verification};
-use topple_pictures::drawing::share;
 use topple_pictures::drawing::letters::Missing;
+use topple_pictures::drawing::share;
 use topple_studies::sharpness::{Estimate, Sharpness};
 
 /// Says things, a name and what there is to it a line; or nothing, for who wants quiet.

@@ -189,8 +189,8 @@ fn rows_that_begin_with_dates_are_read_and_aligned_by_them() {
         pair.notes
     );
     // What is no such time says what is.
-    let error =
-        read::bytes(b"time,acc (g)\n3:4,0.1\n3:5,0.2\n", &RecordHints::default()).unwrap_err();
+    let other = format!("time,acc (g)\n{}", rows(&|k| format!("3:{k}")));
+    let error = read::bytes(other.as_bytes(), &RecordHints::default()).unwrap_err();
     assert!(error.to_string().contains("2003-01-02T03:04:05.01"), "{error}");
 }
 

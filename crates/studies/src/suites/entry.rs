@@ -39,9 +39,9 @@ pub struct Entry {
     /// Why it is no motion, where that is known before its files are read.
     pub missing: Option<String>,
     /// True of a line of a list.
-    pub(super) listed: bool,
+    pub listed: bool,
     /// The stream that it was made of, by its name and by what its file states, and whether it is a corrected one.
-    pub(super) streams: Vec<(String, bool)>,
+    pub streams: Vec<(String, bool)>,
 }
 
 /// A motion of a suite.
