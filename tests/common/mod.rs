@@ -5,6 +5,7 @@
 use std::io::Write;
 
 use topple::backend::backend_error::BackendError;
+use topple::backend::description::AdapterDescription;
 use topple::backend::gpu::adapter;
 use topple::backend::gpu::opened::Gpu;
 use topple::model::precision::Precision;
@@ -84,6 +85,19 @@ pub fn gpu(test: &str, precision: Precision) -> Option<Gpu> {
             None
         }
     }
+}
+
+/// All adapters of this machine, as [`gpu`] has the best one: a machine may have drivers that are not alike.
+pub fn gpus(test: &str, precision: Precision) -> Vec<Gpu> {
+    let Some(best) = gpu(test, precision) else { return Vec::new() };
+    let others = adapter::all().into_iter().skip(1);
+    let able =
+        others.filter(|adapter| precision == Precision::F32 || AdapterDescription::of(adapter).f64);
+    // A driver may list an adapter and give no device for it.
+    let opened = able.filter_map(|adapter| Gpu::open(&adapter).ok()).inspect(|gpu| {
+        say(&format!("{test} ({precision:?}): adapter {}, too", gpu.description.name));
+    });
+    std::iter::once(best).chain(opened).collect()
 }
 
 /// A file of the strong-motion records that TOPPLE_RECORDS names the directory of. They are not

@@ -462,7 +462,7 @@ fn one_of_several_estimators_is_the_one_to_use() {
         let first = estimators.split(',').next().unwrap();
         assert_eq!(said.matches(&format!("use {first}, which")).count(), told, "{said}");
         // Overturning and uplift.
-        assert_eq!(said.matches("annual rate").count(), 2, "{said}");
+        assert_eq!(said.matches("annual rate ").count(), 2, "{said}");
         assert!(said.contains(" motions overturn the block"), "{said}");
         let each = estimators.split(',').count();
         assert_eq!(rows(&out.join("rates.csv")).len(), 2 * each);

@@ -639,7 +639,7 @@ fn factors_and_baselines_of_a_list_are_judged() {
     }
     for scale in ["inf", "nan", "-1"] {
         let error = of(&scaled(scale), None).unwrap_err().to_string();
-        assert!(error.contains("line 2: scale"), "{error}");
+        assert!(error.contains("line 2, column scale: "), "{error}");
     }
     let mut off = Motion::made(400, Some(90));
     off.samples.iter_mut().for_each(|a| *a += 0.3);

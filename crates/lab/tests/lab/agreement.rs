@@ -17,7 +17,7 @@ use topple::sweep::sample::Chosen;
 use topple::sweep::verification::{self, Verification, compare};
 use topple::work::observer::Unwatched;
 
-use crate::common::{all, gpu, object, say};
+use crate::common::{all, gpu, gpus, object, say};
 use judged::{JUDGED, SIDE, judged};
 
 /// What the reference says of all cells of a sweep; where they lie is not asked.
@@ -70,11 +70,12 @@ fn cpu_f32_agrees_with_the_reference() {
 }
 
 fn hold_gpu<R: Real>(precision: Precision, allowed: usize) {
-    let Some(gpu) = gpu("agreement of the shader with the reference", precision) else { return };
-    hold(&format!("gpu {precision:?}"), allowed, |plan, grid| {
-        let sweeper = Sweeper::new(&gpu, precision, plan.variant()).unwrap();
-        sweeper.sweep::<R>(plan, grid, &all(grid), &Unwatched).unwrap().block.to_outcomes()
-    });
+    for gpu in gpus("agreement of the shader with the reference", precision) {
+        hold(&format!("{} {precision:?}", gpu.description.name), allowed, |plan, grid| {
+            let sweeper = Sweeper::new(&gpu, precision, plan.variant()).unwrap();
+            sweeper.sweep::<R>(plan, grid, &all(grid), &Unwatched).unwrap().block.to_outcomes()
+        });
+    }
 }
 
 #[test]
