@@ -18,6 +18,9 @@ pub struct DeviceNumbers {
     pub psi: [f64; 2],
     /// u_y, m.
     pub u_y: [f64; 2],
+    /// The mass on the device, for which its stiffnesses are, kg. Without plates no motion depends on it, and 1 kg is taken where no
+    /// mass is given.
+    pub carried: [f64; 2],
     /// k_h, N/m.
     pub k_h: [f64; 2],
     /// The stiffness after yielding, psi k_h, N/m.
@@ -45,6 +48,7 @@ impl DeviceNumbers {
             }),
             psi: over(|case| Some(case.isolation.horizontal?.psi)),
             u_y: over(|case| Some(case.isolation.horizontal?.u_y)),
+            carried: over(|case| Some(carried(case))),
             k_h: over(stiffness),
             k_yielded: over(|case| Some(stiffness(case)? * case.isolation.horizontal?.psi)),
             c_h: over(|case| {
@@ -57,9 +61,12 @@ impl DeviceNumbers {
 
 /// k_h of (19), N/m.
 fn stiffness(case: &Case) -> Option<f64> {
-    let base = &case.isolation;
-    let carried = case.block.mass + base.plate_h + base.plate_v;
-    Some(carried * (TAU / base.horizontal?.t_h).powi(2))
+    Some(carried(case) * (TAU / case.isolation.horizontal?.t_h).powi(2))
+}
+
+/// The block and the plates, kg.
+fn carried(case: &Case) -> f64 {
+    case.block.mass + case.isolation.plate_h + case.isolation.plate_v
 }
 
 impl fmt::Display for DeviceNumbers {
@@ -70,14 +77,15 @@ impl fmt::Display for DeviceNumbers {
         };
         write!(
             f,
-            "T_h = {} s before it yields or slides, {} s after, ψ = {}, u_y = {} m, k_h = {} N/m, ψ k_h = {} N/m, damper {} N s/m",
+            "T_h = {} s before it yields or slides, {} s after, ψ = {}, u_y = {} m, k_h = {} N/m, ψ k_h = {} N/m, damper {} N s/m for {} kg on the device",
             of(self.t_h),
             of(self.t_yielded),
             of(self.psi),
             of(self.u_y),
             of(self.k_h),
             of(self.k_yielded),
-            of(self.c_h)
+            of(self.c_h),
+            of(self.carried)
         )
     }
 }

@@ -97,6 +97,21 @@ fn scaled(folder: &Folder) -> String {
     folder.scale().map_or(String::new(), text)
 }
 
+/// Of how many motions of a suite the baseline was changed; nothing where it was of none.
+fn corrected(folder: &Folder) -> String {
+    let records = folder.run.get("records").and_then(Value::as_object);
+    let is_changed = |record: &&Value| {
+        record.get("baseline").and_then(Value::as_str).is_some_and(|baseline| baseline != "none")
+    };
+    match records.into_iter().flatten().map(|(_, record)| record).filter(is_changed).count() {
+        0 => String::new(),
+        count => format!(
+            " From the velocity of {count} of them a straight line was subtracted, so that the ground ends nearly at rest; the notes of the suite \
+             have its slopes."
+        ),
+    }
+}
+
 /// The title of a run, and where it lies: the one that its pictures have, or that of its scene.
 fn title(folder: &Folder) -> String {
     let name = folder.path.file_name().map(|name| name.to_string_lossy());
@@ -226,7 +241,10 @@ fn motions(folders: &[Folder]) -> Vec<Piece> {
                 let count = all.len();
                 let scaled = scaled(folder);
                 let motions = if count == 1 { "motion" } else { "motions" };
-                format!("{count} {motions} of the suite {suite}{named}.{scaled}{turned}{left_out}")
+                let corrected = corrected(folder);
+                format!(
+                    "{count} {motions} of the suite {suite}{named}.{scaled}{corrected}{turned}{left_out}"
+                )
             }
             (None, Some(scene)) => shaking(scene),
             (None, None) => continue,
@@ -305,7 +323,10 @@ fn shaking(scene: &Scene) -> String {
                 0.0 => "no vertical motion".to_string(),
                 peak_v => format!("vertical peak {}", peak(peak_v)),
             };
-            format!("the record {}: horizontal peak {}, {vertical}.", pair.title, peak(pair.pga_h))
+            let changed = pair.notes.iter().filter(|note| note.contains("baseline: "));
+            let changed: String = changed.map(|note| format!(" Changed: {note}.")).collect();
+            let (title, peak_h) = (&pair.title, peak(pair.pga_h));
+            format!("the record {title}: horizontal peak {peak_h}, {vertical}.{changed}")
         }
     }
 }

@@ -76,7 +76,7 @@ pub fn shortly(folder: &Folder) -> Result<Vec<String>, ReportError> {
                 "At this site it overturns {} times a year{}, with a probability of {} in 50 years{}.",
                 shown(one, "rate"),
                 within(one, "rate"),
-                value(one, "in_50_years").map_or("–".into(), percent),
+                value(one, "in_50_years").map_or("–".into(), probability),
                 beyond(one)
             ));
         } else {
@@ -94,6 +94,11 @@ pub fn shortly(folder: &Folder) -> Result<Vec<String>, ReportError> {
         ));
     }
     Ok(told)
+}
+
+/// A probability in percent; a small one with three digits, since its size is what counts.
+fn probability(p: f64) -> String {
+    if p < 0.1 { format!("{} %", number(100.0 * p)) } else { percent(p) }
 }
 
 /// Of a row an interval behind its number; nothing where both of its ends are open.

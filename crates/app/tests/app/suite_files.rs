@@ -513,6 +513,8 @@ fn tables_of_factors_beside_a_suite_are_refused() {
         ),
         ("set.tcl", "set factor(A090.AT2) 1.5\nset factor(B090.AT2) 2.5\n"),
         ("semicolons.dat", "gm/A090.AT2;1.5\ngm/B090.AT2;2.5\n"),
+        ("Faktoren.csv", "Satz;Faktor\nA090;1,5\nB090;2,5\n"),
+        ("ids.txt", "record\tscale\nA090\t1.5\nB090\t2.5\n"),
     ] {
         let error = of(name, text).unwrap_err().to_string();
         assert!(

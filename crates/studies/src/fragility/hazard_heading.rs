@@ -56,10 +56,11 @@ const PERIODS: &str =
 /// What may stand behind them.
 const YEARS: &str = "years|year|yrs|yr|a";
 /// What is part of a word for a probability, or is one.
-const PROBABILITIES: &str = "prob|poe|wahrsch|percent|prozent|%";
-const PROBABILITY_WORDS: &str = "p|pe|pp|ape|aep";
-/// What may be of another time than a year.
-const TIMES: &str = "day|week|month|decade|century|exceedance";
+const PROBABILITIES: &str =
+    "prob|poe|wahrsch|w-keit|percent|prozent|%|verosim|vjerojat|pravd|вероятн|πιθαν|olasıl|sannol|todenn|kans|確率|概率|확률|احتمال";
+const PROBABILITY_WORDS: &str = "p|pe|pp|ep|ape|aep|wkt";
+/// What may be of another time than a year, or a time itself.
+const TIMES: &str = "day|week|month|monat|decade|century|jahrhundert|jahre|years|ans|anni|años|exceedance|return|wiederkehr|rückkehr|retour|ritorno|retorno";
 
 /// True of a word of a list.
 fn is_of(list: &str, word: &str) -> bool {
@@ -105,6 +106,11 @@ pub(super) fn judged(
     let rates = match rates(rate) {
         Some(rates) => rates,
         None if asked.is_some() && !contradicts_rates(rate) => Rates::Annual,
+        None if is_probability(rate) => {
+            let problem = "says no annual rate of exceedance, but a probability; write rates and call them `rate`: a probability p \
+                           in T years, as a share and not in percent, is a rate of -ln(1 - p)/T";
+            return Err(TableError::of_cell(line, rate, problem));
+        }
         None => {
             let problem = "says no annual rate of exceedance; if the numbers are such rates, call them `rate`, and return periods \
                            `return period`; a probability p in T years is a rate of -ln(1 - p)/T";
@@ -128,7 +134,10 @@ pub(super) fn levels(
     };
     let wanted = || {
         let period = own_period.map_or_else(String::new, |period| format!("({period})"));
-        let unit = Some(units[0].1).filter(|unit| *unit != "1");
+        // In the unit that the heading has, so that nobody who follows the advice changes it.
+        let has = |of: &str| words(heading).iter().any(|word| is_of(of, &spelled(word)));
+        let own = units.iter().find(|(spellings, ..)| has(spellings)).unwrap_or(&units[0]);
+        let unit = Some(own.1).filter(|unit| *unit != "1");
         format!("{key}{period}{}", unit.map_or_else(String::new, |unit| format!(" [{unit}]")))
     };
     let words = words(heading);
@@ -139,7 +148,7 @@ pub(super) fn levels(
         return match asked {
             Some(units) if !contradicts_levels(heading, &words, units) => Ok(None),
             _ => Err(format!(
-                "names no measure that is read; call levels of {measure} `{}`",
+                "names no measure that is read; if these are levels of {measure} in this unit, call them `{}`",
                 wanted()
             )),
         };
@@ -173,7 +182,8 @@ pub(super) fn levels(
     let unit = units.iter().find(|(spellings, ..)| is_of(spellings, &of));
     let (_, name, factor) = *unit.ok_or_else(|| {
         let names: Vec<&str> = units.iter().map(|(_, name, _)| *name).collect();
-        format!("levels in `{}` are not read; give {}", rest.join(" "), names.join(", "))
+        let divided = if of.contains('%') { ", the numbers divided by 100" } else { "" };
+        format!("levels in `{}` are not read; give {}{divided}", rest.join(" "), names.join(", "))
     })?;
     match asked {
         Some(asked) if asked.key() != name => {
@@ -245,12 +255,17 @@ fn rates(heading: &str) -> Option<Rates> {
     (with(YEARS, &is_period) || is_period(&said)).then_some(Rates::Periods)
 }
 
+/// True of a name of a probability.
+fn is_probability(heading: &str) -> bool {
+    let is_word = |word: &String| is_of(PROBABILITY_WORDS, word);
+    is_of_probabilities(heading) || words(heading).iter().any(is_word)
+}
+
 /// True of a name of the second column, of no list, that may be of something else than annual rates.
 fn contradicts_rates(heading: &str) -> bool {
     heading.contains(char::is_numeric)
-        || is_of_probabilities(heading)
+        || is_probability(heading)
         || has(TIMES, &heading.to_lowercase())
-        || words(heading).iter().any(|word| is_of(PROBABILITY_WORDS, word))
 }
 
 /// True of a name of levels, of no list, that has a measure, or in brackets a unit, of its own.

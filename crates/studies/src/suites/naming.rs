@@ -1,5 +1,8 @@
 //! Files of the suite that another text names, and whether that is a table of their factors.
 
+use std::collections::BTreeSet;
+use std::path::Path;
+
 use super::files::Files;
 
 /// Most lines that are looked at.
@@ -22,12 +25,19 @@ pub(super) struct Naming<'a> {
     pub count: usize,
     /// Lines of a name with nothing but names and numbers beside it.
     rows: usize,
-    factors: bool,
+    /// True where a word for a factor stands in it.
+    pub factors: bool,
 }
 
 impl<'a> Naming<'a> {
     /// What a text names of the files of a suite, each name once; none where it names none.
     pub fn of(text: &'a str, files: &Files) -> Option<Naming<'a>> {
+        // Tables name records also without the ending of their files; a word without a digit may be any word.
+        let stem = |name: &'_ String| {
+            let stem = Path::new(name).file_stem()?.to_str()?;
+            stem.contains(|c: char| c.is_ascii_digit()).then(|| stem.to_string())
+        };
+        let stems: BTreeSet<String> = files.names().iter().filter_map(stem).collect();
         let mut named: Option<Naming<'a>> = None;
         let mut names: Vec<&str> = Vec::new();
         let mut factors = false;
@@ -42,7 +52,7 @@ impl<'a> Naming<'a> {
                 if field.is_empty() {
                 } else if is_number {
                     numbers += 1;
-                } else if field.contains('.') && files.has(field) {
+                } else if field.contains('.') && files.has(field) || stems.contains(field) {
                     own += 1;
                     if !names.contains(&field) && names.len() < 2 {
                         names.push(field);

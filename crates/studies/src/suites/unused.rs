@@ -98,14 +98,19 @@ fn why(name: &str, files: &Files, listed: bool, seen: &AtomicU64) -> Result<Stri
                  a name that ends with .csv"
             ));
         }
-        if matches!(by_ending.as_str(), "csv" | "tsv") {
+        // Results of a study name records by their ids, which are no names of files.
+        let by_name = naming.first.contains('.');
+        if by_name && matches!(by_ending.as_str(), "csv" | "tsv") {
             return Err(format!(
                 "it names {file}, as a list does, and its heading '{}' has no column 'horizontal'; give \
-                 id,horizontal,vertical,dt,units,scale,weight with commas between, or the list of a download from PEER",
+                 id,horizontal,vertical,dt,units,scale,weight, or the list of a download from PEER; if it is no list, take it out of the \
+                 folder, or give the list by its own path",
                 shown::shown(heading)
             ));
         }
-        let is_table = naming.is_table() && !PROSE.contains(&&*by_ending) && !is_own(&plain);
+        let is_table = naming.is_table()
+            && (by_name || naming.factors)
+            && !PROSE.contains(&&*by_ending) && !is_own(&plain);
         if is_table && !listed {
             return Err(format!(
                 "it names {file} and others, with numbers that may be their factors, and is no list that is read; give them in a \
