@@ -10,9 +10,12 @@ use crate::scene::record::Pair;
 /// The samples of a record in one number type.
 type Converted = Arc<dyn Any + Send + Sync>;
 
+/// The horizontal and the vertical samples as they were read.
+type Components = [Arc<[f64]>; 2];
+
 /// The samples of one record, in each number type that was needed. A plan and the plans that are made from it share them.
 #[derive(Debug, Default)]
-pub(crate) struct Samples(Mutex<Vec<([Arc<[f64]>; 2], Converted)>>);
+pub(crate) struct Samples(Mutex<Vec<(Components, Converted)>>);
 
 impl Samples {
     /// The samples of a record.

@@ -48,11 +48,8 @@ impl HazardFlags {
         let bytes = inputs.read(inputs::HAZARD, path, most)?;
         let read = hazard_text::of_bytes(&bytes, im, self.hazard_units);
         let read = read.map_err(|error| named(error.to_string()))?;
-        if read.assumed {
-            words::warn(format!(
-                "--hazard: {}: nothing tells the unit of its levels, m/s2 is taken; give --hazard-units g or m/s2",
-                path.display()
-            ));
+        for doubt in read.doubts(im, "--hazard-units") {
+            words::warn(format!("--hazard: {}: {doubt}", path.display()));
         }
         Ok(Some(read))
     }

@@ -111,10 +111,9 @@ impl<'py> Call<'_, 'py> {
         let bytes = bounded::read(&path, hazard::LARGEST).map_err(named)?;
         let read = hazard_text::of_bytes(&bytes, im, units?);
         let read = read.map_err(|error| of_keyword("hazard", error))?;
-        if read.assumed {
-            let problem = "hazard: nothing tells the unit of its levels, m/s2 is taken; give hazard_units, g or m/s2";
+        for doubt in read.doubts(im, "hazard_units") {
             let kind = self.py.get_type::<PyUserWarning>();
-            PyErr::warn(self.py, &kind, &CString::new(problem)?, 1)?;
+            PyErr::warn(self.py, &kind, &CString::new(format!("hazard: {doubt}"))?, 1)?;
         }
         Ok(Some(read.curve))
     }

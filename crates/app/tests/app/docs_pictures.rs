@@ -233,7 +233,7 @@ fn draw(drawn: &Drawn, folder: &Path, records: Option<&Path>) -> bool {
     let path = env::join_paths(folders.chain(env::split_paths(&others))).unwrap();
     let mut shell = Command::new("sh");
     shell.args(["-e", "-c", &script(drawn)]).current_dir(folder).env("PATH", path);
-    shell.env("ROOT", root()).env("TOPPLE_COMMAND", &program);
+    shell.env("ROOT", root()).env("TOPPLE_COMMAND", program);
     shell.env("RECORDS", records.unwrap_or(Path::new("")));
     let run = shell.output().unwrap();
     if !run.status.success() {

@@ -285,7 +285,7 @@ fn files_have_the_rights_that_the_mask_leaves() {
         let binary = crate::common::command::program();
         let run = std::process::Command::new("sh")
             .args(["-c", &format!("umask {mask}; exec \"$0\" \"$@\"")])
-            .arg(&binary)
+            .arg(binary)
             .args(pulse(&["--files", "csv,npz,zarr", "--quiet", "--backend", "cpu", "--out"]))
             .arg(&out)
             .status();

@@ -49,7 +49,7 @@ fn the_units_of_a_hazard_curve_are_said() {
     let (_, run) = fragility("header", &write("header.csv", "PGA [g],afe\n", 1.0), &[]);
     assert!(heard(&run.success()).1.is_empty());
     let (si, run) =
-        fragility("si", &write("si.csv", "anything,x\n", 9.81), &["--hazard-units", "m/s2"]);
+        fragility("si", &write("si.csv", "anything,rate\n", 9.81), &["--hazard-units", "m/s2"]);
     run.success();
     for name in ["header", "si"] {
         assert_relative_eq!(rate(&within(&place, name).0), rate(&in_g), max_relative = 1e-9);

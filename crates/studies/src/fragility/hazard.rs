@@ -69,6 +69,11 @@ impl HazardCurve {
         Ok(HazardCurve { points })
     }
 
+    /// The largest rate of the curve, 1/year.
+    pub(super) fn most(&self) -> f64 {
+        self.points.first().map_or(0.0, |point| point[1].exp())
+    }
+
     /// The annual rate of failure, the integral of P(fail | x) |d lambda(x)| over the curve.
     ///
     /// Between its points the curve is a power of x, linear in ln x and ln lambda, as is usual. It is not extended beyond

@@ -14,7 +14,7 @@ type Unit = (&'static str, &'static str, f64);
 const ACCELERATIONS: [Unit; 3] = [
     ("g", "g", GRAVITY),
     ("m/s2|m/s/s|ms-2", "m/s2", 1.0),
-    ("cm/s2|cm/s/s|cms-2|gal", "cm/s2", 0.01),
+    ("cm/s2|cm/s/s|cms-2|gal|gals", "cm/s2", 0.01),
 ];
 /// Units of velocities, in which the Arias intensity is, too, and of the cumulative absolute velocity.
 const VELOCITIES: [Unit; 3] =
@@ -34,7 +34,7 @@ const MEASURES: [(&str, &str); 8] = [
     ("pgv*", "pgv*"),
 ];
 /// Names of levels of any measure, and of any acceleration.
-const ANY: &str = "level|im|iml|intensity measure|intensity measure level|intensity level";
+const ANY: &str = "level|im|iml|intensity measure|intensity measure level|intensity level|intensity|ground motion";
 const ACCELERATION_NAMES: &str = "acc|acceleration";
 /// Measures that no study has.
 const OTHERS: &str = "pgd|mmi|ems|jma|sd|sv|psv|psd";
@@ -47,20 +47,17 @@ const SECONDS: &str = "seconds|second|sec|s";
 
 /// Names of annual rates without their first words, `mean`, `annual` or `yearly`.
 const RATES: &str = "rate|frequency|rate of exceedance|frequency of exceedance|exceedance rate|exceedance frequency|lambda|\u{3bb}|maf|mafe|mar|\
-                     afe|afoe|exceedances";
+                     mre|afe|afoe|exceedances|events";
 /// What may stand behind them.
-const PER_YEAR: &str = "1/yr|1/year|1/a|/yr|/year|/a|yr-1|year-1|a-1|per year|per yr|per annum";
+const PER_YEAR: &str = "1/yr|1/year|1/a|1/y|/yr|/year|/a|/y|yr-1|year-1|a-1|per year|per yr|per annum|1/jahr|/jahr|pro jahr|par an";
 /// Names of return periods.
 const PERIODS: &str =
     "return period|mean return period|recurrence interval|mean recurrence interval|tr|t r|rp|mri";
 /// What may stand behind them.
-const YEARS: &str = "years|year|yrs|yr|a";
+const YEARS: &str = "years|year|yrs|yr|y|a";
 /// What is part of a word for a probability, or is one.
-const PROBABILITIES: &str =
-    "prob|poe|wahrsch|w-keit|percent|prozent|%|verosim|vjerojat|pravd|вероятн|πιθαν|olasıl|sannol|todenn|kans|確率|概率|확률|احتمال";
+const PROBABILITIES: &str = "prob|poe|wahrsch|w-keit|percent|prozent|%|verosim|vjerojat|pravd|вероятн|πιθαν|olasıl|sannol|todenn|kans|確率|概率|확률|احتمال";
 const PROBABILITY_WORDS: &str = "p|pe|pp|ep|ape|aep|wkt";
-/// What may be of another time than a year, or a time itself.
-const TIMES: &str = "day|week|month|monat|decade|century|jahrhundert|jahre|years|ans|anni|años|exceedance|return|wiederkehr|rückkehr|retour|ritorno|retorno";
 
 /// True of a word of a list.
 fn is_of(list: &str, word: &str) -> bool {
@@ -105,7 +102,6 @@ pub(super) fn judged(
         .map_err(|problem| TableError::of_cell(line, level, problem))?;
     let rates = match rates(rate) {
         Some(rates) => rates,
-        None if asked.is_some() && !contradicts_rates(rate) => Rates::Annual,
         None if is_probability(rate) => {
             let problem = "says no annual rate of exceedance, but a probability; write rates and call them `rate`: a probability p \
                            in T years, as a share and not in percent, is a rate of -ln(1 - p)/T";
@@ -248,8 +244,8 @@ fn rates(heading: &str) -> Option<Rates> {
         is_of(RATES, first.unwrap_or(name))
     };
     let is_period = |name: &str| is_of(PERIODS, name);
-    // Alone `exceedances` says no time.
-    if with(PER_YEAR, &is_rate) || is_rate(&said) && said != "exceedances" {
+    // Alone these words say no time.
+    if with(PER_YEAR, &is_rate) || is_rate(&said) && !is_of("exceedances|events", &said) {
         return Some(Rates::Annual);
     }
     (with(YEARS, &is_period) || is_period(&said)).then_some(Rates::Periods)
@@ -259,13 +255,6 @@ fn rates(heading: &str) -> Option<Rates> {
 fn is_probability(heading: &str) -> bool {
     let is_word = |word: &String| is_of(PROBABILITY_WORDS, word);
     is_of_probabilities(heading) || words(heading).iter().any(is_word)
-}
-
-/// True of a name of the second column, of no list, that may be of something else than annual rates.
-fn contradicts_rates(heading: &str) -> bool {
-    heading.contains(char::is_numeric)
-        || is_probability(heading)
-        || has(TIMES, &heading.to_lowercase())
 }
 
 /// True of a name of levels, of no list, that has a measure, or in brackets a unit, of its own.
@@ -295,7 +284,8 @@ fn spelled(unit: &str) -> String {
 /// The words of a heading in small letters: what brackets, underscores, commas and blanks part, and hyphens between letters. A measure
 /// with a number behind it is two words: `sa0.2`. A comma between digits is a decimal one.
 fn words(heading: &str) -> Vec<String> {
-    let letters: Vec<char> = heading.to_lowercase().chars().collect();
+    let letters: Vec<char> =
+        heading.to_lowercase().replace("exceedence", "exceedance").chars().collect();
     let mut plain = String::with_capacity(heading.len());
     for (at, letter) in letters.iter().enumerate() {
         let beside = |at: usize| letters.get(at).copied().unwrap_or(' ');
@@ -443,6 +433,10 @@ mod tests {
             "MAFE",
             "AFE",
             "exceedances per year",
+            "events/year",
+            "MRE",
+            "rate (1/y)",
+            "Annual Frequency of Exceedence",
         ] {
             let said = of(["PGA [g]", heading], "pga", None).map(|said| said.rates);
             assert_eq!(said, Ok(Rates::Annual), "{heading}");
@@ -489,12 +483,22 @@ mod tests {
                 assert!(said.contains("says no annual rate of exceedance"), "{heading}: {said}");
             }
         }
-        // With the unit given, words of no list are not judged.
-        for heading in ["x", "hazard", "exceedances", "frequenza annua"] {
-            assert!(of(["PGA [g]", heading], "pga", None).is_err(), "{heading}");
-            let given = of(["anything", heading], "pga", Some(Units::G));
-            assert_eq!(given.is_ok(), heading != "exceedances", "{heading}");
+        // With the unit of the levels given, the names of levels of no list are not judged, those of the rates are.
+        for heading in [
+            "x",
+            "hazard",
+            "exceedances",
+            "frequenza annua",
+            "超過確率",
+            "chance",
+            "daily rate",
+            "T [Jahre]",
+        ] {
+            for asked in [None, Some(Units::G)] {
+                assert!(of(["PGA [g]", heading], "pga", asked).is_err(), "{heading}");
+            }
         }
+        assert!(of(["anything", "rate"], "pga", Some(Units::G)).is_ok());
         for heading in [["annual rate", "pga"], ["lambda", "PGA (g)"], ["return period", "PGA [g]"]]
         {
             let said = of(heading, "pga", None).unwrap_err();

@@ -75,10 +75,14 @@ pub(super) fn read(
             place[own] = cell.number()?;
         }
         let Some(level) = name.strip_prefix(POE) else { continue };
-        let no = || cell.refused("no level or no probability; give both from 0 on");
+        let no = || {
+            cell.refused(
+                "no level or no probability; give levels from 0 on, and probabilities from 0 to 1",
+            )
+        };
         let is_known = |number: &f64| *number >= 0.0 && number.is_finite();
         let level = level.parse().ok().filter(is_known).ok_or_else(no)?;
-        let poe = cell.number()?.filter(is_known).ok_or_else(no)?;
+        let poe = cell.number()?.filter(is_known).filter(|poe| *poe <= 1.0).ok_or_else(no)?;
         if level > 0.0 && poe > 0.0 && poe < 1.0 {
             points.push((site.line, [scale * level, -(-poe).ln_1p() / years]));
         }
@@ -107,7 +111,10 @@ pub fn unit_of_openquake(measure: Intensity) -> Option<(String, &'static str, f6
 
 /// The value of a name in a comment such as `investigation_time=50.0, imt='PGA'`.
 pub(super) fn told<'a>(comment: &'a str, name: &str) -> Option<&'a str> {
-    let (_, rest) = comment.split_once(&format!("{name}="))?;
+    let key = format!("{name}=");
+    let is_word = |at: usize| !comment[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
+    let at = comment.match_indices(&key).map(|(at, _)| at).find(|at| is_word(*at))?;
+    let rest = &comment[at + key.len()..];
     let rest = rest.trim_start_matches('"');
     let end = match rest.strip_prefix('\'') {
         Some(quoted) => return quoted.split('\'').next(),

@@ -94,15 +94,19 @@ fn table<'a>(
         return Err(TableError::at(first.line, columns(text, &named, numbers)));
     }
     let names = ["level", "rate"].map(Cow::Borrowed).to_vec();
+    let above = || comments(text).take_while(|(line, _)| *line < first.line);
+    let in_comment = || above().filter_map(|(line, comment)| heading_of(line, comment)).last();
+    let in_comment = if numbers > 0 { in_comment() } else { None };
+    let is_heading = |line: usize| in_comment.as_ref().is_some_and(|(own, _)| *own == line);
+    let other = above()
+        .find(|(line, comment)| !is_heading(*line) && hazard_heading::is_of_probabilities(comment));
+    if let Some((line, _)) = other {
+        let problem = "the comment says that these are no annual rates; give such rates, below a heading such as `PGA [g],rate`, or take the \
+                       comment out";
+        return Err(TableError::at(line, problem));
+    }
     let (heading, sheet) = if numbers > 0 {
-        let above = || comments(text).take_while(|(line, _)| *line < first.line);
-        let heading = above().last().and_then(|(line, comment)| heading_of(line, comment));
-        let other = above().find(|(_, comment)| hazard_heading::is_of_probabilities(comment));
-        if let (None, Some((line, _))) = (&heading, other) {
-            let problem = "the comment says that these are no annual rates; give such rates, below a heading such as `PGA [g],rate`";
-            return Err(TableError::at(line, problem));
-        }
-        (heading, Sheet::named(first.line, names, rows)?)
+        (in_comment, Sheet::named(first.line, names, rows)?)
     } else if by_blanks {
         rows.next();
         (Some((first.line, parted(&named))), Sheet::named(first.line, names, rows)?)
@@ -144,8 +148,33 @@ fn table<'a>(
         Some((_, [level, rate])) => format!("{of} `{}` of `{}`", shown(rate), shown(level)),
         None => format!("without a heading: levels of {measure} and annual rates are taken"),
     };
-    let assumed = measure.unit() == ACCELERATION && asked.or(said.unit).is_none();
+    let assumed = asked.or(said.unit).is_none() && measure.unit() != "1";
     Ok(HazardText { curve, unit, assumed, source })
+}
+
+/// Exceedances a year above which a rate is doubted: what shakes a site each month makes no hazard curve.
+const PLAUSIBLE: f64 = 10.0;
+
+impl HazardText {
+    /// What a reader must be warned of; `units` is how the caller gives the unit of accelerations.
+    pub fn doubts(&self, measure: Intensity, units: &str) -> Vec<String> {
+        let mut doubts = Vec::new();
+        if self.assumed {
+            let unit = self.unit.replace('²', "2");
+            let remedy = match measure.unit() == ACCELERATION {
+                true => format!("give {units} g or m/s2"),
+                false => format!("write it into the heading, as `{measure} [{unit}]`"),
+            };
+            doubts.push(format!("nothing tells the unit of its levels, {unit} is taken; {remedy}"));
+        }
+        let most = self.curve.most();
+        if most > PLAUSIBLE {
+            doubts.push(format!(
+                "its rates begin with {most:.3} a year; are they annual rates, and not percent?"
+            ));
+        }
+        doubts
+    }
 }
 
 /// What is wrong with a first row that has not two cells.

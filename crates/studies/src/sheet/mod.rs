@@ -60,7 +60,8 @@ impl<'a> Sheet<'a> {
                 return Err(TableError::of_cell(line, name, "it stands twice; leave one out"));
             }
         }
-        Ok(Sheet { line, names, decimals: Decimals::of(&rows), rows })
+        let decimals = Decimals::of(&rows, &names);
+        Ok(Sheet { line, names, decimals, rows })
     }
 
     /// Its rows below the heading, each with a cell in every column that has a name, and with nothing in others.
@@ -170,6 +171,29 @@ mod tests {
         ] {
             assert!(error(text).starts_with(wanted), "{text:?}: {}", error(text));
         }
+    }
+
+    /// A name that looks like a number is none: it tells no decimal sign.
+    #[test]
+    fn names_tell_no_decimal_sign() {
+        for name in ["2.1", "A", "1,5"] {
+            let text = format!("device;k1\n{name};900.000\n");
+            let sheet = Sheet::of(Rows::of(&text, 1, false).unwrap()).unwrap().unwrap();
+            let row = sheet.rows().next().unwrap().unwrap();
+            let said = sheet.cell(&row, 1).number().unwrap_err().to_string();
+            assert!(said.contains("may be 900000 or 900"), "{name}: {said}");
+        }
+    }
+
+    /// A quote that another row ends would hide the rows between.
+    #[test]
+    fn no_cell_holds_rows() {
+        let rows = Rows::of("a,b\n\"A,1\nB\",2\n", 1, false).unwrap();
+        let error = rows.skip(1).find_map(Result::err).unwrap().to_string();
+        assert!(
+            error.starts_with("line 2: a cell within quotes has a line break and a `,`"),
+            "{error}"
+        );
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Numbers of a table: which of the two signs, comma and point, is the decimal one.
 
+use std::borrow::Cow;
+
 use super::rows::Rows;
 use topple::scene::shown::shown;
 
@@ -13,15 +15,16 @@ pub struct Decimals {
 impl Decimals {
     /// Those of a table. Where commas or blanks separate its cells, the point is the decimal sign. Where semicolons or tabs do, the
     /// numbers of the table tell it that have no three digits behind their sign; where none does, semicolons stand beside decimal commas.
-    pub fn of(rows: &Rows) -> Decimals {
+    /// Columns of words tell nothing: a device may be called `2.1`.
+    pub fn of(rows: &Rows, names: &[Cow<str>]) -> Decimals {
         let separator = rows.separator();
         if ![';', '\t'].contains(&separator) {
             return Decimals { comma: false, point: true };
         }
         let (mut comma, mut point) = (false, false);
         for row in rows.clone().map_while(Result::ok) {
-            for cell in &row.cells {
-                match sign(cell) {
+            for (at, cell) in row.cells.iter().enumerate() {
+                match sign(cell).filter(|_| !names.get(at).is_some_and(|name| is_of_words(name))) {
                     Some((',', false)) => comma = true,
                     Some(('.', false)) => point = true,
                     _ => {}
@@ -54,6 +57,28 @@ impl Decimals {
     }
 }
 
+/// The columns of lists in which words stand, also where they look like numbers.
+const WORDS: [&str; 12] = [
+    "device",
+    "id",
+    "event",
+    "station",
+    "horizontal",
+    "vertical",
+    "horizontal_channel",
+    "vertical_channel",
+    "units",
+    "baseline",
+    "isolation",
+    "source",
+];
+
+/// True of the name of a column of words.
+fn is_of_words(name: &str) -> bool {
+    let name = name.to_lowercase().replace('-', "_");
+    WORDS.contains(&&*name) || name.ends_with("name")
+}
+
 /// True of a number, also of one that may be either of two.
 pub fn is_number(text: &str) -> bool {
     text.parse::<f64>().is_ok() || sign(text).is_some()
@@ -83,7 +108,7 @@ mod tests {
     use super::*;
 
     fn of(table: &str, text: &str) -> Result<f64, String> {
-        Decimals::of(&Rows::of(table, 1, true).unwrap()).number(text)
+        Decimals::of(&Rows::of(table, 1, true).unwrap(), &[]).number(text)
     }
 
     #[test]

@@ -131,6 +131,12 @@ impl<'a> Rows<'a> {
         })?;
         let (quoted, rest) = (&inner[..end], &inner[end + 1..]);
         let breaks = quoted.replace("\r\n", "\n");
+        if breaks.contains(ENDS) && separator != BLANKS && quoted.contains(separator) {
+            let problem = format!(
+                "a cell within quotes has a line break and a `{separator}`: it may hold other rows; end the quote in its own line"
+            );
+            return Err(TableError::at(self.line, problem));
+        }
         self.line += breaks.matches(ENDS).count();
         // What stands between the quote and the separator is of the cell, too.
         let (more, rest) = rest.split_at(rest.find(is_end).unwrap_or(rest.len()));

@@ -110,7 +110,8 @@ fn why(name: &str, files: &Files, listed: bool, seen: &AtomicU64) -> Result<Stri
         }
         let is_table = naming.is_table()
             && (by_name || naming.factors)
-            && !PROSE.contains(&&*by_ending) && !is_own(&plain);
+            && !PROSE.contains(&&*by_ending)
+            && !is_own(&plain);
         if is_table && !listed {
             return Err(format!(
                 "it names {file} and others, with numbers that may be their factors, and is no list that is read; give them in a \

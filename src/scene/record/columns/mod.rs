@@ -64,6 +64,7 @@ fn of_numbers(text: &str, hints: &RecordHints, mut told: Told) -> Result<Raw, Re
         if line.is_empty() || line.starts_with(COMMENT) {
             continue;
         }
+        refuse_two_signs(at, line)?;
         let row = Row::new(line);
         commas |= row.has_commas();
         let fields = row.fields();
@@ -142,6 +143,30 @@ fn empty_row(at: usize) -> RecordError {
 
 /// What is said of a file that has them.
 const DECIMAL_COMMAS: &str = "decimal commas";
+
+/// Refuses a row of semicolons with decimal commas in one number and a point in another: the one may separate thousands.
+fn refuse_two_signs(at: usize, line: &str) -> Result<(), RecordError> {
+    if !line.contains(';') || !line.contains(',') {
+        return Ok(());
+    }
+    let fields = || {
+        line.split(';').map(str::trim).filter(|field| {
+            field.contains(|c: char| c.is_ascii_digit())
+                && field.chars().all(|c| c.is_ascii_digit() || "+-.,".contains(c))
+        })
+    };
+    let with = |sign| fields().find(|field| field.contains(sign));
+    match (with(','), with('.')) {
+        (Some(comma), Some(point)) => {
+            let (comma, point) = (shown(comma), shown(point));
+            let problem = format!(
+                "'{comma}' has a comma and '{point}' a point: one of them may separate thousands; write one decimal sign, and no other"
+            );
+            Err(RecordError::line(at, problem))
+        }
+        _ => Ok(()),
+    }
+}
 
 /// A line of numbers, its decimal commas as points.
 struct Row<'a>(Cow<'a, str>);

@@ -197,9 +197,12 @@ fn refuse_others(at: usize, words: &str) -> Result<(), RecordError> {
         let problem = "this is no acceleration by its heading; give the file of accelerations";
         return Err(RecordError::line(at, problem));
     }
-    let first = words.split([',', ';', '\t', '(', '[', ' ']).next().unwrap_or_default();
-    let other = ["period", "periods", "freq", "frequency", "depth", "distance"];
-    if names(&["response spectr"]) || other.contains(&&*first.trim().to_lowercase()) {
+    let column = lower.split([',', ';', '\t']).next().unwrap_or_default();
+    let first = column.split(['(', '[', ' ', '.']).next().unwrap_or_default();
+    let other =
+        ["period", "periods", "freq", "frequency", "frequenz", "omega", "depth", "distance"];
+    let of_frequency = ["hz)", "hz]", "rad/s)", "rad/s]"].iter().any(|unit| column.contains(unit));
+    if names(&["response spectr"]) || of_frequency || other.contains(&first.trim()) {
         let problem = "by its heading this is no motion over time; give the file of accelerations";
         return Err(RecordError::line(at, problem));
     }

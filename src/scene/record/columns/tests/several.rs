@@ -289,3 +289,36 @@ fn a_factor_is_that_of_its_column() {
     assert!(said(&up), "{:?}", up.notes);
     assert!(!said(&read(&text, &of(false)).unwrap()));
 }
+
+/// In German files a point may separate thousands: 1.234 cm/s2 of a peak above 1 g.
+#[test]
+fn a_point_beside_decimal_commas_is_refused() {
+    for columns in [1, 2] {
+        let text = rows("", |k| {
+            let value = if k == 90 { "1.234" } else { "981,5" };
+            format!("0,{k:03};{}", vec![value; columns].join(";"))
+        });
+        let error = read(&text, &RecordHints::default()).unwrap_err().to_string();
+        assert!(
+            error.starts_with("line 91: '0,090' has a comma and '1.234' a point"),
+            "{columns}: {error}"
+        );
+    }
+    let text = rows("", |k| format!("2020-01-02T03:04:{:05.2};{},5", 0.01 * k as f64, k % 7));
+    assert!(read(&text, &RecordHints::default()).is_ok());
+}
+
+/// A spectrum is no motion, however its first column is called.
+#[test]
+fn a_column_of_frequencies_is_no_time() {
+    for heading in
+        ["f (Hz),a (g)", "Freq. [Hz];a [m/s2]", "omega (rad/s),acc (g)", "Frequenz,acc (g)"]
+    {
+        let separator = if heading.contains(';') { ";" } else { "," };
+        let text = rows(&format!("{heading}\n"), |k| {
+            format!("{:.2}{separator}{}", 0.1 * k as f64, motion(k))
+        });
+        let error = read(&text, &RecordHints::default()).unwrap_err().to_string();
+        assert!(error.contains("this is no motion over time"), "{heading}: {error}");
+    }
+}
