@@ -666,5 +666,8 @@ fn factors_and_baselines_of_a_list_are_judged() {
     let pgv = |suite: &Suite| suite.motions().next().unwrap().1.measures.pgv;
     assert!(pgv(&with) < 0.5 * pgv(&without), "{} {}", pgv(&with), pgv(&without));
     let error = of(&blank.replace("A-UP.AT2,", "A-UP.AT2,poly"), None).unwrap_err().to_string();
-    assert!(error.contains("line 2: baseline poly is not known; give none or line"), "{error}");
+    assert!(
+        error.contains("line 2, column baseline: poly is not known; give none or line"),
+        "{error}"
+    );
 }

@@ -156,7 +156,8 @@ fn refuse_two_signs(at: usize, line: &str) -> Result<(), RecordError> {
         })
     };
     let with = |sign| fields().find(|field| field.contains(sign));
-    match (with(','), with('.')) {
+    // Dates in the first field have become seconds with a point.
+    match (with(','), fields().skip(1).find(|field| field.contains('.'))) {
         (Some(comma), Some(point)) => {
             let (comma, point) = (shown(comma), shown(point));
             let problem = format!(
