@@ -144,7 +144,7 @@ pub(super) fn levels(
         return match asked {
             Some(units) if !contradicts_levels(heading, &words, units) => Ok(None),
             _ => Err(format!(
-                "names no measure that is read; if these are levels of {measure} in this unit, call them `{}`",
+                "names no measure that is read; call levels of {measure} `{}`",
                 wanted()
             )),
         };
@@ -217,10 +217,10 @@ pub(super) fn is_of_probabilities(text: &str) -> bool {
     has(PROBABILITIES, &text.to_lowercase())
 }
 
-/// True of two names that are a heading, and not words of a comment: one of them is of a list, or the second is of a probability.
+/// True of two names that are a heading, and not words of a comment: one of them is of a list.
 pub(super) fn is_meant([level, rate]: [&str; 2]) -> bool {
     let is_level = words(level).first().is_some_and(|word| is_name(word));
-    is_level || is_of_rates(rate) || is_of_probabilities(rate)
+    is_level || is_of_rates(rate)
 }
 
 /// True of a name of annual rates or of return periods.

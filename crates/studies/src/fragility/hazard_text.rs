@@ -395,10 +395,10 @@ mod tests {
         let rows = format!("level,rate\n{rows}");
         let (levels, unit, assumed) = ends(&rows, Intensity::Sa(1.0), Some(Units::G));
         assert!(near(levels, [0.1 * GRAVITY, 0.2 * GRAVITY]) && unit == "g" && !assumed);
-        // A velocity has one unit where its heading says none, and none is assumed.
+        // A velocity whose heading has no unit is taken in m/s, which is warned of.
         assert_eq!(
             ends(&rows, Intensity::Pgv, None),
-            ([0.1_f64.ln().exp(), 0.2_f64.ln().exp()], "m/s", false)
+            ([0.1_f64.ln().exp(), 0.2_f64.ln().exp()], "m/s", true)
         );
         let refused =
             |text: &str, measure, asked| read(text, measure, asked).unwrap_err().to_string();

@@ -125,11 +125,12 @@ fn fine_structure() -> Scene {
     object(1, -0.4, (1.75, 0.75), 0.5, "1.3:2.4:60", "0.78:1.02:60")
 }
 
-/// Object 1, e/B = -0.4, on short vertical periods under the synthetic pair.
+/// Object 1, e/B = -0.4, on short vertical periods under the synthetic pair: so many cells that counts of the chaotic ones, which
+/// change with each digit, say something.
 fn short_periods() -> Scene {
     let mut scene = object(1, -0.4, (1.0, 0.1), 0.0, "5", "1");
-    scene.set(Parameter::TH, Range::even(0.8, 3.2, 30));
-    scene.set(Parameter::TV, Range::even(0.06, 0.3, 16));
+    scene.set(Parameter::TH, Range::even(0.8, 3.2, 60));
+    scene.set(Parameter::TV, Range::even(0.06, 0.3, 32));
     under(&mut scene, synthetic_pair());
     scene
 }

@@ -174,7 +174,7 @@ fn stored_outcomes_of_hard_cells_are_the_references() {
 }
 
 #[test]
-#[ignore = "integrates 8,160 cells: cargo test --test lab every_stored -- --ignored"]
+#[ignore = "integrates 11,040 cells: cargo test --test lab every_stored -- --ignored"]
 fn every_stored_outcome_of_hard_cells_is_the_references() {
     let of_scene = |(name, scene): (&str, Scene)| {
         let cells = all(&Grid::of(&scene));
