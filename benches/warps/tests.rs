@@ -60,34 +60,19 @@ fn traces_are_what_the_cells_do() {
     assert!(uplifts > 100 && impacts > 1000, "{uplifts} uplifts, {impacts} impacts");
 }
 
-#[cfg(target_arch = "x86_64")]
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
 mod vectors {
-    use std::cell::Cell;
     use std::ops::Range;
 
-    use topple::model::dynamics::Contact;
-    use topple::model::real::{Real, Vector};
     use topple::stepping::lanes::{Feed, Job, Lanes, Shared};
-    use topple::stepping::log::Listener;
 
     use super::*;
-
-    /// The turns that lanes have made.
-    struct Turns<'a>(&'a Cell<usize>);
-
-    impl<V: Vector> Listener<V> for Turns<'_> {
-        const FORCES: bool = true;
-
-        fn feel(&mut self, _: V::Mask, _: [Contact<V>; 3]) {
-            self.0.set(self.0.get() + 1);
-        }
-    }
 
     /// Cells in order, and the turns that each has had.
     struct Queue<'a> {
         all: &'a Cells<'a, f32>,
         next: Range<usize>,
-        now: &'a Cell<usize>,
+        turns: usize,
         had: Vec<usize>,
     }
 
@@ -95,12 +80,16 @@ mod vectors {
         fn next(&mut self) -> Option<Job<f32>> {
             let number = self.next.next()?;
             let (cell, state) = self.all.begin(number);
-            self.had[number] = self.now.get();
+            self.had[number] = self.turns;
             Some(Job { number, cell, state })
         }
 
         fn done(&mut self, job: &Job<f32>) {
-            self.had[job.number] = self.now.get() - self.had[job.number];
+            self.had[job.number] = self.turns - self.had[job.number];
+        }
+
+        fn turned(&mut self) {
+            self.turns += 1;
         }
     }
 
@@ -108,16 +97,16 @@ mod vectors {
     fn a_vectors_lanes_are_filled_as_the_traces_say() {
         let scene = map();
         let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
-        let simd = fearless_simd::Level::baseline().as_sse2().unwrap();
-        let (numbers, now) = (all(&grid), Cell::new(0));
+        let Some(zero) = crate::lanes::lanes_of_the_library() else { return };
+        let numbers = all(&grid);
         let all = Cells::<f32>::of(&plan, &grid, &numbers, &[], &Unwatched);
         let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &[] };
         let mut queue =
-            Queue { all: &all, next: 0..grid.len(), now: &now, had: vec![0; grid.len()] };
-        Lanes::new(shared, 0.0_f32.lanes(simd), Turns(&now)).run(&mut queue);
+            Queue { all: &all, next: 0..grid.len(), turns: 0, had: vec![0; grid.len()] };
+        Lanes::new(shared, zero).run(&mut queue);
         let mut traces = Traces::default();
         queue.had.iter().for_each(|turns| traces.add(&cell(*turns, Purpose::Step)));
-        assert_eq!(now.get(), traces::turns(&traces, 0..grid.len(), 16));
+        assert_eq!(queue.turns, traces::turns(&traces, 0..grid.len(), 16));
         let alone = record::<f32>(&plan, &grid);
         // Products are fused in one of them only.
         let (vector, alone) = (traces.all().len() as f64, alone.all().len() as f64);

@@ -1,5 +1,6 @@
 //! The trials of every cell of a sweep: what each was for, as a lane by itself shows from turn to turn.
 
+use std::cell::Cell;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -7,12 +8,11 @@ use rayon::prelude::*;
 use topple::cells::plan::Plan;
 use topple::cells::ready::Cells;
 use topple::model::block::FULL_CONTACT;
-use topple::model::dynamics::Contact;
 use topple::model::real::Real;
 use topple::scene::Grid;
 use topple::stepping::guards::{IMPACT, NOTHING, UPLIFT_LEFT, UPLIFT_RIGHT};
 use topple::stepping::lanes::{Job, Lanes, Shared};
-use topple::stepping::log::Listener;
+use topple::stepping::log::Log;
 use topple::stepping::state::{RUNNING, State};
 use topple::work::observer::Unwatched;
 
@@ -147,37 +147,35 @@ pub fn turns(traces: &Traces, cells: impl Iterator<Item = usize>, lanes: usize) 
 
 /// The last trial of a lane.
 struct LastTrial {
-    moved: bool,
-    switch: u32,
+    switch: Cell<u32>,
     /// The block rocks after it.
-    rocking: bool,
+    rocking: Cell<bool>,
 }
 
-impl<R: Real> Listener<R> for LastTrial {
-    const EVENTS: bool = true;
-    const FORCES: bool = true;
-
-    fn hear(&mut self, kind: u32, _: R, state: &State<R>) {
-        (self.switch, self.rocking) = (kind, state.mode != FULL_CONTACT);
-    }
-
-    fn feel(&mut self, moved: R::Mask, _: [Contact<R>; 3]) {
-        self.moved = R::any(moved);
+impl<R> Log<R> for &LastTrial {
+    fn switched(&mut self, kind: u32, _: R, state: &State<R>) {
+        self.switch.set(kind);
+        self.rocking.set(state.mode != FULL_CONTACT);
     }
 }
 
 /// The trials of a cell to its end; none of one that is done before it begins.
-fn trials<R: Real>(lanes: &mut Lanes<'_, R, LastTrial>, job: Job<R>) -> Vec<Packed> {
+fn trials<R: Real>(shared: Shared<'_, R>, job: Job<R>) -> Vec<Packed> {
     let mut trials = Vec::new();
     let (mut searching, mut ended) = (false, job.state.status != RUNNING);
-    lanes.log.rocking = job.state.mode != FULL_CONTACT;
+    let rocks = job.state.mode != FULL_CONTACT;
+    let last = LastTrial { switch: Cell::new(NOTHING), rocking: Cell::new(rocks) };
+    let mut log = &last;
+    let mut lanes = Lanes::new(shared, R::of(0.0));
+    lanes.log = Some(&mut log);
     lanes.load(0, job);
     while !ended {
-        let (fresh, rocking) = (R::any(lanes.between_steps()), lanes.log.rocking);
-        lanes.log.switch = NOTHING;
+        let (fresh, rocking) = (R::any(lanes.between_steps()), last.rocking.get());
+        last.switch.set(NOTHING);
+        let before = lanes.time(0);
         ended = lanes.advance() != 0;
         let at_edge = R::any(lanes.between_steps());
-        let purpose = match (lanes.log.moved, lanes.log.switch) {
+        let purpose = match (lanes.time(0) != before, last.switch.get()) {
             (_, UPLIFT_LEFT | UPLIFT_RIGHT) => Purpose::Uplift,
             (false, _) if searching => Purpose::Try,
             (false, _) => Purpose::GivenUp,
@@ -198,15 +196,11 @@ pub fn record<R: Real>(plan: &Plan, grid: &Grid) -> Traces {
     let cells: Vec<usize> = (0..grid.len()).collect();
     let all = Cells::<R>::of(plan, grid, &cells, &record, &Unwatched);
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
-    let lanes = || {
-        let last = LastTrial { moved: false, switch: NOTHING, rocking: false };
-        Lanes::new(shared, R::of(0.0), last)
-    };
-    let of_cell = |lanes: &mut Lanes<'_, R, LastTrial>, &number: &usize| {
+    let of_cell = |&number: &usize| {
         let (cell, state) = all.begin(number);
-        trials(lanes, Job { number, cell, state })
+        trials(shared, Job { number, cell, state })
     };
-    let ran: Vec<_> = cells.par_iter().map_init(lanes, of_cell).collect();
+    let ran: Vec<_> = cells.par_iter().map(of_cell).collect();
     let mut traces = Traces::default();
     ran.iter().for_each(|trials| traces.add(trials));
     traces

@@ -127,7 +127,7 @@ fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Bl
                 let long = plan.takes_long_steps();
                 vectorized!(level, zero => Phases::new(shared, long, zero).run(&mut feed));
             } else {
-                vectorized!(level, zero => Lanes::new(shared, zero, ()).run(&mut feed));
+                vectorized!(level, zero => Lanes::new(shared, zero).run(&mut feed));
             }
             feed.deliver();
         })

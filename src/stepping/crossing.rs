@@ -10,7 +10,6 @@ use super::cubic::Cubic;
 use super::extremes::end_slopes;
 use super::guards::{GuardSample, Sought, angle_guard, crosses, end_stop_guard, kink_guard};
 use super::lanes::Lanes;
-use super::log::Listener;
 use super::rk4::{Stepped, hermite};
 
 /// The lanes whose span has a guard that happens in it.
@@ -73,7 +72,7 @@ fn moment_rises<N: Number>(start: N, mid: N, end: N) -> (Cubic<N>, N) {
     (cubic, N::select(end.gt(zero), one, at))
 }
 
-impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
+impl<V: Vector> Lanes<'_, V> {
     /// The first kink in the spans of the `looked` lanes, each of `h` seconds.
     #[inline(always)]
     pub(super) fn kinks(

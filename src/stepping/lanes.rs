@@ -5,8 +5,9 @@ use bytemuck::Zeroable;
 use super::certificate::STEPS_A_TRY;
 use super::extremes::Extremes;
 use super::forcing::Forcing;
-use super::log::Listener;
+use super::log::Log;
 use super::search::Search;
+use super::spans::Spans;
 use super::state::{RUNNING, State};
 use crate::model::CellEquations;
 use crate::model::block::{Corner, FULL_CONTACT, Model, ROCKING_LEFT, ROCKING_RIGHT, pivot};
@@ -35,6 +36,10 @@ pub trait Feed<R> {
 
     /// Takes a cell that has ended.
     fn done(&mut self, job: &Job<R>);
+
+    /// The lanes have made a turn.
+    #[inline(always)]
+    fn turned(&mut self) {}
 
     /// The next cell that is not at its end.
     #[inline(always)]
@@ -90,7 +95,7 @@ impl<'a, R: Number> Shared<'a, R> {
 }
 
 /// As many cells as a vector has lanes. Each cell is at its own time in its own step.
-pub struct Lanes<'a, V: Vector, L = ()> {
+pub struct Lanes<'a, V: Vector> {
     pub(super) shared: Shared<'a, V::Element>,
     pub(super) lanes: Vec<Lane<V::Element>>,
     /// The lanes that have a cell, one bit each.
@@ -123,8 +128,10 @@ pub struct Lanes<'a, V: Vector, L = ()> {
     pub(super) steps_since_check: V,
     pub(super) search: Search<V>,
     pub(super) extremes: Extremes<V>,
-    /// The observer.
-    pub log: L,
+    /// The contact forces of motions in full contact.
+    pub spans: Spans<V>,
+    /// The observer of switches, if there is one.
+    pub log: Option<&'a mut dyn Log<V::Element>>,
 }
 
 /// The numbers of the bits that are set, the lowest first.
@@ -140,10 +147,10 @@ pub fn each(mut bits: u64) -> impl Iterator<Item = usize> {
     })
 }
 
-impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
-    /// Lanes without cells; `zero` selects the kind of vector, and `log` receives the switches.
+impl<'a, V: Vector> Lanes<'a, V> {
+    /// Lanes without cells; `zero` selects the kind of vector.
     #[inline(always)]
-    pub fn new(shared: Shared<'a, V::Element>, zero: V, log: L) -> Lanes<'a, V, L> {
+    pub fn new(shared: Shared<'a, V::Element>, zero: V) -> Lanes<'a, V> {
         let one = &shared.models[0];
         let idle = || Lane {
             job: Job { number: 0, cell: Cell::zeroed(), state: State::zeroed() },
@@ -172,12 +179,13 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
             steps_since_check: zero,
             search: Search::new(zero),
             extremes: State::<f32>::zeroed().extremes().map(|_| zero),
-            log,
+            spans: Spans::unwanted(zero),
+            log: None,
         }
     }
 
     /// A turn of all lanes. The result is the lanes whose cell has ended, one bit each. The function is compiled once
-    /// for each kind of vector and listener.
+    /// for each kind of vector.
     #[inline(never)]
     pub fn advance(&mut self) -> u64 {
         self.start.with(
@@ -274,7 +282,9 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
             if turns.is_multiple_of(TURNS) && feed.cancelled() {
                 return;
             }
-            for lane in each(self.advance()) {
+            let ended = self.advance();
+            feed.turned();
+            for lane in each(ended) {
                 self.store(lane);
                 feed.done(&self.lanes[lane].job);
                 self.running &= !(1 << lane);
@@ -412,6 +422,11 @@ impl<'a, V: Vector, L: Listener<V>> Lanes<'a, V, L> {
                 self.lanes[lane].job
             },
         )
+    }
+
+    /// The step in which a lane is, and the fraction of it that is done.
+    pub fn time(&self, lane: usize) -> (u32, V::Element) {
+        (self.step(lane), self.start.lane(lane))
     }
 
     /// The step in which a lane is.

@@ -4,10 +4,9 @@ use bytemuck::Zeroable;
 
 use super::guards::{KINK, NOTHING, OVERTURN};
 use super::state::State;
-use crate::model::dynamics::Contact;
 use crate::model::layout::pod;
 use crate::model::motion::Motion;
-use crate::model::real::{Real, Vector};
+use crate::model::real::Real;
 
 /// The observer of the switches of a cell.
 pub trait Log<R> {
@@ -19,33 +18,6 @@ pub trait Log<R> {
 /// An observer that records nothing.
 impl<R> Log<R> for () {
     fn switched(&mut self, _: u32, _: R, _: &State<R>) {}
-}
-
-/// Tells at compile time whether lanes have an observer.
-pub trait Listener<V: Vector> {
-    /// Whether it records switches.
-    const EVENTS: bool = false;
-
-    /// Whether it records contact forces.
-    const FORCES: bool = false;
-
-    /// See [`Log::switched`].
-    fn hear(&mut self, _: u32, _: V::Element, _: &State<V::Element>) {}
-
-    /// Some lanes have advanced by a span, a step or a part of one; the arguments are the contact forces at its
-    /// start, in its middle and at its end.
-    fn feel(&mut self, _: V::Mask, _: [Contact<V>; 3]) {}
-}
-
-/// No observer.
-impl<V: Vector> Listener<V> for () {}
-
-impl<R: Real> Listener<R> for &mut dyn Log<R> {
-    const EVENTS: bool = true;
-
-    fn hear(&mut self, kind: u32, fraction: R, state: &State<R>) {
-        self.switched(kind, fraction, state);
-    }
 }
 
 /// A switch and the motion after it; all numbers are zero where there was none.

@@ -13,7 +13,6 @@
 use super::extremes::bend;
 use super::guards::crosses;
 use super::lanes::Lanes;
-use super::log::Listener;
 use super::span::{YIELD_LIMIT, settling_rate};
 use super::state::is_finite;
 use super::turn::select_motion;
@@ -263,7 +262,7 @@ fn stands<V: Vector>(
     most.like(0.0).gt(most)
 }
 
-impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
+impl<V: Vector> Lanes<'_, V> {
     /// Takes a long step in every lane in which no guard happens. All lanes are between two steps under a record, and
     /// their blocks stand. The result is the lanes that have moved, and those whose cell has ended, one bit each.
     #[inline(never)]

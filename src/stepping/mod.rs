@@ -29,6 +29,7 @@ pub mod rk4;
 pub(crate) mod search;
 pub mod single;
 pub(crate) mod span;
+pub(crate) mod spans;
 pub(crate) mod standing;
 pub mod state;
 pub(crate) mod switching;

@@ -30,7 +30,7 @@ struct Set<'a, V: Vector> {
 impl<'a, V: Vector> Set<'a, V> {
     #[inline(always)]
     fn new(shared: Shared<'a, V::Element>, zero: V) -> Set<'a, V> {
-        let lanes = Lanes::new(shared, zero, ());
+        let lanes = Lanes::new(shared, zero);
         Set { lanes, long: vec![None; V::LANES], waiting: Vec::new() }
     }
 

@@ -10,7 +10,7 @@ use super::state::{RUNNING, State};
 
 /// The integration of one cell.
 pub struct Single<'a, R: Real> {
-    lanes: Lanes<'a, R, &'a mut dyn Log<R>>,
+    lanes: Lanes<'a, R>,
 }
 
 impl<'a, R: Real> Single<'a, R> {
@@ -22,7 +22,8 @@ impl<'a, R: Real> Single<'a, R> {
     ) -> Single<'a, R> {
         let models = std::slice::from_ref(set.model);
         let shared = Shared { variant: set.variant, models, record: set.record };
-        let mut lanes = Lanes::new(shared, R::of(0.0), log);
+        let mut lanes = Lanes::new(shared, R::of(0.0));
+        lanes.log = Some(log);
         if state.status == RUNNING {
             // There is only one body.
             let cell = Cell { body: 0, ..*set.cell };
@@ -33,10 +34,9 @@ impl<'a, R: Real> Single<'a, R> {
         Single { lanes }
     }
 
-    /// One turn; false where the cell has ended. The function is compiled once for a number type.
-    #[inline(never)]
+    /// One turn; false where the cell has ended.
     fn turn(&mut self) -> bool {
-        if self.lanes.running != 0 && self.lanes.turn() != 0 {
+        if self.lanes.running != 0 && self.lanes.advance() != 0 {
             self.lanes.store(0);
             self.lanes.running = 0;
         }

@@ -7,7 +7,6 @@ use crate::model::motion::Motion;
 use crate::model::real::Vector;
 
 use super::lanes::Lanes;
-use super::log::Listener;
 
 /// The longest span over the relaxation time u_y/(n |u'|) of z in (11): RK4 is stable up to 2.79.
 pub const YIELD_LIMIT: f64 = 2.0;
@@ -27,7 +26,7 @@ pub(super) fn settling_rate<V: Vector>(set: &CellEquations<V>, y: &Motion<V>) ->
     n * y.du.abs() * set.cell.inverse_yield
 }
 
-impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
+impl<V: Vector> Lanes<'_, V> {
     /// Begins spans with the rest of the step. A span ends earlier where RK4 would be unstable for z, and where the
     /// block lands by an estimate from its rates.
     #[inline(always)]

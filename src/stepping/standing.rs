@@ -2,7 +2,6 @@
 //! root. The result is the same as that of a [`turn`](super::turn), at a lower cost.
 
 use super::lanes::Lanes;
-use super::log::Listener;
 use super::rk4::rk4;
 use super::state::is_finite;
 use super::turn::select_motion;
@@ -11,7 +10,7 @@ use crate::model::isolation::support;
 use crate::model::motion::Motion;
 use crate::model::real::Vector;
 
-impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
+impl<V: Vector> Lanes<'_, V> {
     /// Takes a step in every lane; all lanes must be between two steps under excitation. The result is the lanes
     /// whose cell has ended, one bit each.
     #[inline(never)]
@@ -45,9 +44,9 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let base = support(&set, &stepped.y, ground_end);
         let (asked, stands) = (set.variant.asked, (standing, self.corner.side));
         self.extremes.update_motion(asked, moved, stands, &self.y, &stepped.y, h);
-        if L::FORCES {
+        if let Some(direction) = self.spans.direction {
             let end = Contact { shear: base.f_h, normal: base.f_v };
-            self.log.feel(moved, [k1.contact(), stepped.mid, end]);
+            self.spans.take(direction, moved, [k1.contact(), stepped.mid, end]);
         }
         self.y = select_motion(moved, &stepped.y, &self.y);
         self.forcing.done = self.forcing.done + V::select(moved, one, zero);

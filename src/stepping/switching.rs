@@ -11,9 +11,8 @@ use crate::model::real::{Real, Vector};
 
 use super::certificate;
 use super::early_rest::rests_early;
-use super::guards::{IMPACT, KINK, OVERTURN, UPLIFT_LEFT, UPLIFT_RIGHT};
+use super::guards::{IMPACT, OVERTURN, UPLIFT_LEFT, UPLIFT_RIGHT};
 use super::lanes::{Lanes, each};
-use super::log::Listener;
 use super::state::{
     DIVERGED, EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, RUNNING,
 };
@@ -24,7 +23,7 @@ fn select_corner<V: Vector>(mask: V::Mask, yes: &Corner<V>, no: &Corner<V>) -> C
     yes.zip(no, |yes, no| V::select(mask, yes, no))
 }
 
-impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
+impl<V: Vector> Lanes<'_, V> {
     /// The blocks of some lanes lift about the left or the right corner.
     #[inline(never)]
     pub(super) fn lift(&mut self, bits: u64, to_left: u64) {
@@ -66,11 +65,8 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         self.y = select_motion(bounces, &change_corner(&landing, &self.y), &self.y);
         self.corner = select_corner(bounces, &landing, &self.corner);
         self.impacts = self.impacts + V::select(lands, one, zero);
-        if L::EVENTS {
-            for lane in each(V::bits(bounces) & self.running) {
-                self.leave(lane);
-                self.tell(lane, IMPACT);
-            }
+        if self.log.is_some() {
+            self.tell_each(V::bits(bounces), IMPACT);
         }
         V::bits(lands & !rebounds)
     }
@@ -207,17 +203,17 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
     /// Tells the log that a switch has just happened in a lane.
     #[inline(always)]
     fn tell(&mut self, lane: usize, kind: u32) {
-        if L::EVENTS {
-            let fraction = self.start.lane(lane);
-            self.log.hear(kind, fraction, &self.lanes[lane].job.state);
+        if let Some(log) = &mut self.log {
+            log.switched(kind, self.start.lane(lane), &self.lanes[lane].job.state);
         }
     }
 
-    /// Tells the log of the steps that are cut at kinks.
-    pub(super) fn tell_cuts(&mut self, bits: u64) {
+    /// Tells the log of switches that have just happened in some lanes: of these the motion is not yet in the state.
+    #[inline(never)]
+    pub(super) fn tell_each(&mut self, bits: u64, kind: u32) {
         for lane in each(bits & self.running) {
             self.leave(lane);
-            self.tell(lane, KINK);
+            self.tell(lane, kind);
         }
     }
 }

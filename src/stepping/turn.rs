@@ -13,9 +13,8 @@ use crate::model::real::{Real, Vector};
 
 use super::certificate::STEPS_A_TRY;
 use super::extremes::{Accelerations, stop_ends};
-use super::guards::{EVENT_BOUND, GuardSample};
+use super::guards::{EVENT_BOUND, GuardSample, KINK};
 use super::lanes::Lanes;
-use super::log::Listener;
 use super::rk4::{rk4, shift_back};
 use super::search::RootDistance;
 use super::state::is_finite;
@@ -29,7 +28,7 @@ pub(super) fn select_motion<V: Vector>(
     yes.zip(no, |yes, no| V::select(mask, yes, no))
 }
 
-impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
+impl<V: Vector> Lanes<'_, V> {
     /// Updates the largest accelerations of the lanes that move on, by the second derivatives of u and v, the contact force and
     /// the ground at the start, the middle and the end of their spans.
     #[inline(always)]
@@ -44,6 +43,18 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let mid = Accelerations::of(&set, mid.0, mid.1, mid.2);
         let end = Accelerations::of(&set, end.0, end.1, end.2);
         self.extremes.update_accelerations(moved, [&start, &mid, &end]);
+    }
+
+    /// Updates the extremes of the contact forces of the lanes that move on, or what is wanted of each of their spans.
+    #[inline(always)]
+    fn feel(&mut self, moved: V::Mask, forces: [Contact<V>; 3]) {
+        match self.spans.direction {
+            Some(direction) => self.spans.take(direction, moved, forces),
+            None => {
+                let [start, mid, end] = forces;
+                self.extremes.update_contact(moved, start, mid, end);
+            }
+        }
     }
 
     /// The lanes whose base is not against its end stop.
@@ -160,7 +171,7 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         let rocks = (self.rocking, self.corner.side);
         self.extremes.update_motion(variant.asked, moved, rocks, &self.y, &y1, h);
         if variant.asked.forces {
-            self.extremes.update_contact(moved, k1.contact(), stepped.mid, k_end.contact());
+            self.feel(moved, [k1.contact(), stepped.mid, k_end.contact()]);
         }
         if variant.asked.accelerations {
             let instants = [
@@ -177,9 +188,6 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
             let meets = zero.ge(self.stop.abs()) & stop_side(&set, &y1).abs().gt(zero);
             self.extremes.update_stop(moved, ends, h);
             self.extremes.add_stop_hits(moved & meets);
-        }
-        if L::FORCES {
-            self.log.feel(moved, [k1.contact(), stepped.mid, k_end.contact()]);
         }
         self.y = select_motion(moved, &y1, &self.y);
         self.start = V::select(moved, self.start + length, self.start);
@@ -207,8 +215,9 @@ impl<V: Vector, L: Listener<V>> Lanes<'_, V, L> {
         }
         let through = ((plain & !self.cut) | (moved & self.start.ge(one))) & !overturned;
         let between = moved & !through;
-        if L::EVENTS {
-            self.tell_cuts(V::bits(between & !switched));
+        if self.log.is_some() {
+            // A step that is cut at a kink.
+            self.tell_each(V::bits(between & !switched), KINK);
         }
         self.events = self.events + V::select(between, one, zero);
         let endless = self.events.ge(one.like(f64::from(EVENT_BOUND)));

@@ -5,10 +5,11 @@ use fearless_simd::Level;
 
 use super::motions::Slots;
 use super::sampling::{Gaps, load};
-use super::shared_motion::{Direction, MotionSet};
+use super::shared_motion::MotionSet;
 use super::written_motions::WrittenMotions;
 use crate::model::real::{Real, Vector};
 use crate::stepping::lanes::{Lanes, Shared};
+use crate::stepping::spans::Direction;
 use crate::work::vectors::vectorized;
 
 /// Integrates motions on the vectors of a level, no more than it has [lanes](crate::work::vectors::lanes_of), and writes
@@ -26,7 +27,7 @@ fn integrate_lanes<V: Vector>(
 ) {
     let MotionSet { variant, direction, record, starts } = set;
     let models: Vec<_> = starts.iter().map(|start| start.model).collect();
-    let mut lanes = Lanes::new(Shared { variant, models: &models, record }, zero, ());
+    let mut lanes = Lanes::new(Shared { variant, models: &models, record }, zero);
     load(&mut lanes, &set);
     let mut gaps = Gaps::at(force(&lanes, direction));
     let first = gaps.end(zero.mask(0), &lanes, direction);

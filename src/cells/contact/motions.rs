@@ -4,10 +4,10 @@
 
 use fearless_simd::Level;
 
-use super::shared_motion::Direction;
 use crate::cells::listing::Entries;
 use crate::model::isolation::Variant;
 use crate::model::real::Real;
+use crate::stepping::spans::Direction;
 
 /// u or v at each sample, m.
 pub const DISPLACEMENT: usize = 0;

@@ -10,15 +10,15 @@ use super::motions::{
     EIGHTHS_V, LEAST, LEAST_SO_FAR, MAGNITUDE, MAGNITUDE_SO_FAR, QUARTERS_H, Slots,
 };
 use super::sampling::{Gaps, load};
-use super::shared_motion::{Direction, MotionSet};
+use super::shared_motion::MotionSet;
 use super::written_motions::{Row, WrittenMotions};
-use crate::model::dynamics::{Contact, Rates};
+use crate::model::dynamics::Rates;
 use crate::model::motion::Motion;
 use crate::model::real::{Real, Vector};
 use crate::stepping::extremes::parabola;
 use crate::stepping::lanes::{Lanes, Shared};
-use crate::stepping::log::Listener;
 use crate::stepping::rk4::hermite;
+use crate::stepping::spans::Direction;
 use crate::work::vectors::vectorized;
 
 /// Most parts into which a gap is divided.
@@ -30,34 +30,6 @@ pub fn integrate<R: Real>(set: MotionSet<R>, slots: &mut [Slots<R>], level: Leve
     let zero = R::of(0.0);
     vectorized!(level, zero => integrate_lanes(set, slots, zero));
 }
-
-/// X or Y in the spans of each lane: a step is one span, or several where z or u' changed its sign in it.
-struct Spans<V> {
-    direction: Direction,
-    /// Spans of the step.
-    count: V,
-    /// The values in the middle and at the end of the last span.
-    mid: V,
-    end: V,
-    /// The largest magnitude, or the least value, in the spans of the gap.
-    crest: V,
-}
-
-impl<V: Vector> Listener<V> for Spans<V> {
-    const FORCES: bool = true;
-
-    #[inline(always)]
-    fn feel(&mut self, lanes: V::Mask, [start, mid, end]: [Contact<V>; 3]) {
-        let direction = self.direction;
-        let (start, mid, end) = (direction.of(start), direction.of(mid), direction.of(end));
-        self.count = V::select(lanes, self.count + start.like(1.0), self.count);
-        self.mid = V::select(lanes, mid, self.mid);
-        self.end = V::select(lanes, end, self.end);
-        self.crest = direction.crest(lanes, self.crest, [start, mid, end]);
-    }
-}
-
-type Motions<'a, V> = Lanes<'a, V, Spans<V>>;
 
 /// What belongs to the contact forces in a row.
 struct Forces<'a, V> {
@@ -96,8 +68,8 @@ fn integrate_lanes<V: Vector>(
     let MotionSet { variant, direction, record, starts } = set;
     let models: Vec<_> = starts.iter().map(|start| start.model).collect();
     let none = direction.no_crest(zero);
-    let spans = Spans { direction, count: zero, mid: zero, end: zero, crest: none };
-    let mut lanes = Lanes::new(Shared { variant, models: &models, record }, zero, spans);
+    let mut lanes = Lanes::new(Shared { variant, models: &models, record }, zero);
+    lanes.spans.direction = Some(direction);
     let parts = direction.parts();
     let substeps: Vec<u32> = starts.iter().map(|start| start.cell.substeps).collect();
     let steps = gap_steps(parts, &substeps, zero);
@@ -115,24 +87,24 @@ fn integrate_lanes<V: Vector>(
     while through != 0 {
         gap.begin(all);
         values[0] = gap.now;
-        lanes.log.crest = none;
+        lanes.spans.crest = none;
         let mut ended = 0;
         for GapStep { lanes: some, ends } in &steps {
             lanes.run_only(through & some & !ended);
             let [reached, over] = if ends.is_empty() {
                 step(&mut lanes)
             } else {
-                step_with_ends(&mut lanes, ends, gap.now, &mut values)
+                step_with_ends(&mut lanes, (direction, ends), gap.now, &mut values)
             };
             through &= reached | !some;
             ended |= over;
-            gap.take(zero.mask(reached), lanes.log.end);
+            gap.take(zero.mask(reached), lanes.spans.end);
         }
         values[parts as usize] = gap.now;
         if by_quarters != 0 {
             tell_others(&mut values, zero.mask(by_quarters));
         }
-        let crest = lanes.log.crest;
+        let crest = lanes.spans.crest;
         let off = (kept_crest(direction, &values) - crest).abs();
         missed = V::select(zero.mask(through), missed.max(off), missed);
         so_far = match direction {
@@ -164,8 +136,8 @@ fn tell_others<V: Vector>(values: &mut [V; MOST_PARTS + 1], lanes: V::Mask) {
 /// Takes the running lanes over a step. The result is the lanes at the end of the step and the lanes that have ended,
 /// one bit each.
 #[inline(always)]
-fn step<V: Vector>(lanes: &mut Motions<V>) -> [u64; 2] {
-    lanes.log.count = lanes.log.count.like(0.0);
+fn step<V: Vector>(lanes: &mut Lanes<V>) -> [u64; 2] {
+    lanes.spans.count = lanes.spans.count.like(0.0);
     if !lanes.has_kinks() {
         return [lanes.running(), lanes.stand()];
     }
@@ -184,12 +156,12 @@ fn step<V: Vector>(lanes: &mut Motions<V>) -> [u64; 2] {
 /// the start of the step.
 #[inline(always)]
 fn step_with_ends<V: Vector>(
-    lanes: &mut Motions<V>,
-    ends: &[PartEnds<V>],
+    lanes: &mut Lanes<V>,
+    (direction, ends): (Direction, &[PartEnds<V>]),
     now: V,
     values: &mut [V; MOST_PARTS + 1],
 ) -> [u64; 2] {
-    let (direction, running) = (lanes.log.direction, lanes.running());
+    let running = lanes.running();
     let (zero, one) = (now.like(0.0), now.like(1.0));
     let y0 = *lanes.motion();
     let h = lanes.step_length();
@@ -199,12 +171,12 @@ fn step_with_ends<V: Vector>(
         *ground = lanes.ground(*fraction);
     }
     let over = step(lanes);
-    let whole = one.ge(lanes.log.count);
+    let whole = one.ge(lanes.spans.count);
     // The rates at both ends, if they are requested.
     let mut known = None;
     for (ends, ground) in ends.iter().zip(grounds) {
         let by_mid = ends.halfway & whole;
-        let mut value = V::select(by_mid, lanes.log.mid, now);
+        let mut value = V::select(by_mid, lanes.spans.mid, now);
         let by_cubic = ends.lanes & !(by_mid | ends.at_start) & zero.mask(running);
         if V::any(by_cubic) {
             let y1 = *lanes.motion();

@@ -5,20 +5,17 @@ use super::motions::{
     ACCELERATION, BOTTOM, DISPLACEMENT, LOWER, LOWER_SO_FAR, MINUS_LOWER_SO_FAR, TOP, UPPER,
     UPPER_SO_FAR, VELOCITY, Z,
 };
-use super::shared_motion::{Direction, MotionSet, SLACK};
+use super::shared_motion::{MotionSet, SLACK};
 use super::written_motions::{BEYOND, Row};
 use crate::model::excitation::Cell;
 use crate::model::real::Vector;
 use crate::stepping::lanes::{Job, Lanes};
-use crate::stepping::log::Listener;
+use crate::stepping::spans::Direction;
 use crate::stepping::state::RUNNING;
 
 /// Assigns each motion of a set to a lane.
 #[inline(always)]
-pub(crate) fn load<V: Vector, L: Listener<V>>(
-    lanes: &mut Lanes<V, L>,
-    set: &MotionSet<V::Element>,
-) {
+pub(crate) fn load<V: Vector>(lanes: &mut Lanes<V>, set: &MotionSet<V::Element>) {
     for (number, start) in set.starts.iter().enumerate() {
         let cell = Cell { body: number as u32, steps: start.steps(), ..start.cell };
         if start.state.status == RUNNING && cell.steps > 0 {
@@ -68,12 +65,7 @@ impl<V: Vector> Gaps<V> {
     /// The gaps of some lanes end. The result is the row at the sample of each lane, without what belongs to the contact
     /// forces. The bounds of a gap allow for the values between the ends of steps.
     #[inline(always)]
-    pub fn end<L: Listener<V>>(
-        &mut self,
-        over: V::Mask,
-        lanes: &Lanes<V, L>,
-        direction: Direction,
-    ) -> Row<V> {
+    pub fn end(&mut self, over: V::Mask, lanes: &Lanes<V>, direction: Direction) -> Row<V> {
         let Gaps { least, most, change, now, .. } = *self;
         let slack = least.like(SLACK).mul_add(most.abs().max(least.abs()), change);
         let (lower, upper) = (least - slack, most + slack);

@@ -1,15 +1,13 @@
-//! The motions in full contact that cells share: their directions, and the data with which they begin. See
+//! The motions in full contact that cells share: the data with which they begin. See
 //! [`full_contact`](super::full_contact).
 
 use crate::cells::plan::Plan;
 use crate::model::block::Model;
-use crate::model::dynamics::Contact;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::Variant;
-use crate::model::number::Number;
 use crate::model::real::Real;
 use crate::scene::Case;
-use crate::stepping::extremes::{bend, crest};
+use crate::stepping::spans::Direction;
 use crate::stepping::state::State;
 
 /// The share of its largest value by which an acceleration may exceed its values at the ends of steps: at 64 steps
@@ -19,23 +17,7 @@ pub(crate) const SLACK: f64 = 2.0e-3;
 /// there. A faster motion is not shared.
 const MISSED: f64 = 5.0e-4;
 
-/// Which of the two directions a motion is in.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Direction {
-    Horizontal,
-    Vertical,
-}
-
 impl Direction {
-    /// X or Y of this direction.
-    #[inline(always)]
-    pub(crate) fn of<R>(self, contact: Contact<R>) -> R {
-        match self {
-            Direction::Horizontal => contact.shear,
-            Direction::Vertical => contact.normal,
-        }
-    }
-
     /// The number of parts of a gap.
     pub(crate) fn parts(self) -> u32 {
         match self {
@@ -51,48 +33,6 @@ impl Direction {
             Direction::Vertical => gravity,
         };
         R::of(MISSED) * of
-    }
-
-    /// The larger of the value so far and the largest |X|, or the lesser of the value so far and the least Y, on the
-    /// parabolas through the starts, middles and ends of the spans of some lanes.
-    #[inline(always)]
-    pub(crate) fn crest<N: Number>(
-        self,
-        lanes: N::Mask,
-        so_far: N,
-        [start, mid, end]: [N; 3],
-    ) -> N {
-        // A parabola exceeds its values by no more than its curvature allows: most spans need no division.
-        match self {
-            Direction::Horizontal => {
-                let (start, mid, end) = (start.abs(), mid.abs(), end.abs());
-                let most = start.max(mid).max(end);
-                let so_far = N::select(lanes, so_far.max(most), so_far);
-                let higher = lanes & (most + bend(start, mid, end)).gt(so_far);
-                if !N::any(higher) {
-                    return so_far;
-                }
-                N::select(higher, so_far.max(crest(start, mid, end)), so_far)
-            }
-            Direction::Vertical => {
-                let least = start.min(mid).min(end);
-                let so_far = N::select(lanes, so_far.min(least), so_far);
-                let lower = lanes & so_far.gt(least - bend(start, mid, end));
-                if !N::any(lower) {
-                    return so_far;
-                }
-                N::select(lower, so_far.min(crest(start, mid, end)), so_far)
-            }
-        }
-    }
-
-    /// The value before the first span.
-    #[inline(always)]
-    pub(crate) fn no_crest<N: Number>(self, like: N) -> N {
-        match self {
-            Direction::Horizontal => like.like(0.0),
-            Direction::Vertical => like.like(f64::from(f32::MAX)),
-        }
     }
 }
 

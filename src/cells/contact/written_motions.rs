@@ -2,9 +2,9 @@
 //! at once. To store the numbers of each lane at each sample took as long as the integration.
 
 use super::motions::{DISPLACEMENT, MAGNITUDE_SO_FAR, MOST_FIELDS, Slots};
-use super::shared_motion::Direction;
 use crate::model::real::{Real, Vector};
 use crate::stepping::lanes::each;
+use crate::stepping::spans::Direction;
 
 /// The number of rows that are stored at once, one bit of a number each.
 const ROWS: usize = 32;
