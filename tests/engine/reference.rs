@@ -1,7 +1,6 @@
 //! The reference against programs that this project did not write.
 
 use approx::assert_abs_diff_eq;
-use differential_equations::prelude::*;
 use topple::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
 use topple::stepping::outcome::{Class, Outcome};
 use topple::stepping::reference::system::{Drive, PHI, Phase, State as Cell, System};
@@ -64,17 +63,27 @@ fn the_first_overturnings_as_the_amplitude_grows() {
     }
 }
 
-/// One phase of a motion, for the integrator of another project.
-struct Motion<'a> {
-    system: &'a System,
-    phase: Phase,
-    drive: Drive,
-}
-
-impl ODE<f64, Cell> for Motion<'_> {
-    fn diff(&self, t: f64, y: &Cell, dydt: &mut Cell) {
-        *dydt = self.system.derivative(self.phase, t, self.drive, y);
+/// The state at the end of a step: modified midpoint rules of 2, 4, 6 ... substeps, extrapolated to substeps of no length
+/// (Gragg, Bulirsch and Stoer). Nothing of this method is in the reference's. The last two rows must agree.
+fn extrapolated(rates: impl Fn(f64, &Cell) -> Cell, [t, end]: [f64; 2], y: &Cell) -> Cell {
+    const ROWS: usize = 10;
+    let mut row: Vec<Cell> = Vec::new();
+    for k in 1..=ROWS {
+        let h = (end - t) / (2 * k) as f64;
+        let (mut before, mut now) = (*y, y + h * rates(t, y));
+        for substep in 1..2 * k {
+            (before, now) = (now, before + 2.0 * h * rates(t + substep as f64 * h, &now));
+        }
+        let mut next = vec![0.5 * (before + now + h * rates(end, &now))];
+        for (j, above) in row.iter().enumerate() {
+            let ratio = (k as f64 / (k - 1 - j) as f64).powi(2);
+            next.push(next[j] + (next[j] - above) / (ratio - 1.0));
+        }
+        row = next;
     }
+    let [.., last, best] = row[..] else { unreachable!("rows") };
+    assert!((best - last).amax() < 1e-11, "{last} {best}");
+    best
 }
 
 /// What the reference saw at an instant.
@@ -118,11 +127,10 @@ fn no_step_ends_beyond_an_impact() {
     assert!(rocked > 100, "{rocked}");
 }
 
-/// Every step of a run again, from its first state, by an integrator that this project did not
-/// write: it must end in the same state, and at a switch on the switching surface. (Its own
-/// search for events is not used: on these motions its times move with the square of its step.)
+/// Every step of a run again, from its first state, by another method: it must end in the same state, and at a switch on
+/// the switching surface.
 #[test]
-fn every_step_again_by_another_projects_integrator() {
+fn every_step_again_by_another_method() {
     for (e, a_v, omega, a_h) in
         [(0.0, 0.0, "5", "3.5"), (0.1, 0.5, "7.75", "6.99"), (0.2, 0.0, "9", "8.4")]
     {
@@ -134,11 +142,8 @@ fn every_step_again_by_another_projects_integrator() {
             let drive = if to.t <= system.pulse_end() { Drive::Pulse } else { Drive::Free };
             let mut y = from.y;
             if to.t > from.t {
-                let motion = Motion { system: &system, phase: from.phase, drive };
-                let method = ExplicitRungeKutta::dopri5().rtol(1e-12).atol(1e-14);
-                let problem = IVP::ode(&motion, from.t, to.t, from.y);
-                let solution = problem.method(method.max_steps(1_000_000)).solve().unwrap();
-                y = *solution.y.last().unwrap();
+                let rates = |t: f64, y: &Cell| system.derivative(from.phase, t, drive, y);
+                y = extrapolated(rates, [from.t, to.t], &from.y);
             }
             match to.switch {
                 Some(Switch::Uplift(pole)) => {
