@@ -74,7 +74,7 @@ def beyond(dataset: Any) -> np.ndarray:
     if not tells_beyond(dataset):
         return np.zeros(np.asarray(dataset["outcome"]).shape, dtype=bool)
     least = np.asarray(dataset["min_contact"])
-    found = (least < 0.0) | ((least <= 0.0) & ~_has_class(dataset, "unresolved"))
+    found: np.ndarray = (least < 0.0) | ((least <= 0.0) & ~_has_class(dataset, "unresolved"))
     numbers = json.loads(dataset.attrs["scene"])["numbers"]
     if "friction" in numbers:
         friction = dataset["friction"] if "friction" in dataset.coords else float(numbers["friction"])

@@ -21,7 +21,8 @@ use crate::work::observer::Observer;
 use crate::work::threads::install;
 use crate::work::vectors::vectorized;
 
-/// The number of cells that a thread takes from the queue, and of outcomes that it returns, at once.
+/// The number of cells that a thread takes from the queue, and of outcomes that it returns, at once: several, because all threads
+/// share the queue and the outcomes.
 const AT_ONCE: usize = 64;
 
 /// The cells that a thread takes from the queue and the outcomes that it returns, several at a time.

@@ -9,8 +9,8 @@ use super::listing::{CellAt, Index, Listing};
 use crate::scene::{Case, Parameter};
 use crate::work::parallel;
 
-/// The number of entries that a thread computes at once: an entry takes less than a microsecond, and no more entries than these are
-/// computed without other threads.
+/// The number of entries that a thread computes at once: an entry is some dozens of operations, so that fewer entries do not pay for
+/// another thread.
 const AT_ONCE: usize = 1 << 8;
 
 /// One entry for each combination of values that a group depends on.

@@ -156,7 +156,7 @@ pub struct OwnClocks<R> {
     pub steps: Vec<Steps<R>>,
 }
 
-/// The number of cells whose clocks are listed together.
+/// The number of cells whose clocks are listed together: in smaller groups the same clock would be listed more often.
 const TOGETHER: usize = 1 << 12;
 /// The number of clocks that are remembered; a clock that is forgotten is listed again.
 const REMEMBERED: usize = 256;
