@@ -157,7 +157,7 @@ def test_cells_beyond_the_model_are_hatched():
     scene = SCENE | {"friction": 0.3}
     found = topple.pulse(**scene, backend="cpu", verify=0)
     hatched = _plot.beyond(found)
-    assert np.array_equal(hatched, np.asarray((found.min_contact < 0) | (found.friction_demand > 0.3)))
+    assert np.array_equal(hatched, np.asarray((found.min_contact <= 0) | (found.friction_demand > 0.3)))
     assert hatched.any() and not hatched.all()
     axis = topple.pulse(**(scene | {"friction": [0.3, 5.0], "a_h": 8.0}), backend="cpu", verify=0)
     assert _plot.beyond(axis).any() and axis["outcome"].dims == ("friction", "omega")

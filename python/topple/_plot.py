@@ -57,17 +57,24 @@ def classes(dataset: Any) -> tuple[np.ndarray, np.ndarray]:
     return kinds.reshape(shape), dots.reshape(shape)
 
 
+def _has_class(dataset: Any, *names: str) -> np.ndarray:
+    """Where cells have one of these outcomes."""
+    flags = dataset["outcome"].attrs["flag_meanings"].split()
+    return np.isin(np.asarray(dataset["outcome"]), [flags.index(name) for name in names])
+
+
 def tells_beyond(dataset: Any) -> bool:
     """Whether a map has the columns that say where the model is not valid."""
     return "min_contact" in dataset and "friction_demand" in dataset
 
 
 def beyond(dataset: Any) -> np.ndarray:
-    """Where the model is not valid: tensile contact, or more friction needed than there is. Nowhere where a map has not
-    the columns that tell it."""
+    """Where the model is not valid: no contact force or a tensile one, or more friction needed than there is. Nowhere where a
+    map has not the columns that tell it."""
     if not tells_beyond(dataset):
         return np.zeros(np.asarray(dataset["outcome"]).shape, dtype=bool)
-    found = np.asarray(dataset["min_contact"]) < 0.0
+    least = np.asarray(dataset["min_contact"])
+    found: np.ndarray = (least < 0.0) | ((least <= 0.0) & ~_has_class(dataset, "unresolved"))
     numbers = json.loads(dataset.attrs["scene"])["numbers"]
     if "friction" in numbers:
         friction = dataset["friction"] if "friction" in dataset.coords else float(numbers["friction"])
@@ -283,10 +290,8 @@ def _greys(dataset: Any, column: str, ax: Axes, edges: Edges, asked: Print) -> N
     from matplotlib.patches import Patch
 
     palette = asked.colours
-    flags = dataset["outcome"].attrs["flag_meanings"].split()
-    codes = np.asarray(dataset["outcome"])
-    stands = np.isin(codes, [flags.index("full_contact"), flags.index("rocking")])
-    unresolved = codes == flags.index("unresolved")
+    stands = _has_class(dataset, "full_contact", "rocking")
+    unresolved = _has_class(dataset, "unresolved")
     values = np.ma.masked_array(np.asarray(dataset[column], dtype=float), ~stands)
     shades = palette["greys"][::-1] if column in palette["falls"] else palette["greys"]
     greys = ListedColormap([rgb(grey) for grey in shades])
@@ -316,8 +321,7 @@ def _curves(dataset: Any, ax: Axes | None, asked: Print) -> Axes:
     if ax is None:
         ax = asked.subplots(1, 5.2)
     kinds, _ = classes(dataset)
-    flags = dataset["outcome"].attrs["flag_meanings"].split()
-    stands = np.isin(np.asarray(dataset["outcome"]), [flags.index("full_contact"), flags.index("rocking")])
+    stands = _has_class(dataset, "full_contact", "rocking")
     strip = ax.inset_axes((0.0, 1.02, 1.0, 0.06), sharex=ax)
     colours = ListedColormap([rgb(entry["colour"]) for entry in palette["kinds"]])
     strip.pcolormesh(_edges(x), [0.0, 1.0], kinds[np.newaxis], cmap=colours, vmin=-0.5, vmax=colours.N - 0.5)

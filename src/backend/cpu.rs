@@ -17,7 +17,8 @@ use crate::stepping::single;
 use crate::work::observer::{Observer, Unwatched};
 use crate::work::parallel;
 
-/// The number of cells that a thread takes at once.
+/// The number of cells that a thread takes at once: few, because a cell may take many times as long as another, and the last part
+/// keeps a single thread busy.
 const BLOCK: usize = 16;
 
 /// Runs cells of a grid on all cores, once each, on the widest vectors of this machine; `observer` is told of cells

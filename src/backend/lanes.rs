@@ -21,7 +21,8 @@ use crate::work::observer::Observer;
 use crate::work::threads::install;
 use crate::work::vectors::vectorized;
 
-/// The number of cells that a thread takes from the queue, and of outcomes that it returns, at once.
+/// The number of cells that a thread takes from the queue, and of outcomes that it returns, at once: several, because all threads
+/// share the queue and the outcomes.
 const AT_ONCE: usize = 64;
 
 /// The cells that a thread takes from the queue and the outcomes that it returns, several at a time.
@@ -106,8 +107,8 @@ fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Bl
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
     let (recorded, motions) = (shared.variant.recorded, all.of_motions.as_ref());
     let substeps = |cell: &CellAt| if recorded { all.tables.clock(cell).substeps } else { 1 };
-    let order = (recorded || motions.is_some())
-        .then(|| install(|| begin_order(motions, (grid, cells), substeps)));
+    let order =
+        (recorded || motions.is_some()).then(|| begin_order(motions, (grid, cells), substeps));
     let queue = AtomicUsize::new(0);
     let outcomes = Mutex::new(Block::pending(cells.len(), R::PRECISION));
     install(|| {

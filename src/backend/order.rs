@@ -20,7 +20,7 @@ pub fn begin_order(
     (grid, cells): (&Grid, &[usize]),
     substeps: impl Fn(&CellAt) -> u32 + Sync,
 ) -> Vec<u32> {
-    let keys: Vec<[u32; 3]> = parallel::each(cells.len(), 1 << 12, |number| {
+    let keys: Vec<[u32; 3]> = parallel::each(cells.len(), parallel::LOOKUPS, |number| {
         let cell = CellAt { number, place: grid.place(cells[number]) };
         let of = motions.map(|of| of.each_ref().map(|motions| motions.of(&cell)));
         let [across, up] = of.unwrap_or_default();

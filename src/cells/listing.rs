@@ -13,14 +13,12 @@ use rayon::slice::ParallelSliceMut;
 use super::window::{Combinations, Strides, Window, offset};
 use crate::scene::grid::Place;
 use crate::scene::{Grid, Parameter};
-use crate::work::parallel;
+use crate::work::parallel::{self, LOOKUPS};
 use crate::work::threads::install;
 
 /// The most combinations per cell of a list for which a table holds all combinations of a window: a batch of a sweep
 /// has no more.
 const ALL: usize = 2;
-/// The fewest cells that a thread takes at once.
-const SOME: usize = 1 << 12;
 
 /// A cell of a list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -108,7 +106,7 @@ impl Entries {
         // A list has fewer than 2^32 cells, because memory cannot hold more numbers.
         let keys = keys(grid, &strides, cells);
         let number = |cell: usize| self.entry(keys[cell]).unwrap_or(0) as u32;
-        let numbers: Vec<u32> = parallel::each(keys.len(), SOME, number);
+        let numbers: Vec<u32> = parallel::each(keys.len(), LOOKUPS, number);
         Index::ByNumber(numbers.into())
     }
 }
@@ -116,7 +114,7 @@ impl Entries {
 /// The combination of each cell, by these strides of a whole grid.
 fn keys(grid: &Grid, strides: &Strides, cells: &[usize]) -> Vec<usize> {
     // The key is not larger than the number of the cell.
-    parallel::each(cells.len(), SOME, |number| offset(strides, &grid.place(cells[number])))
+    parallel::each(cells.len(), LOOKUPS, |number| offset(strides, &grid.place(cells[number])))
 }
 
 /// The combinations that some cells of a grid have, each once and in order.

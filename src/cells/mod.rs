@@ -1,13 +1,14 @@
 //! A scene at one place of its grid: the numbers that a thread gets, and its first state.
 //!
 //! ```text
-//! laws, clock_parts, groups, reader, samples -> plan -> part -> table, cell_tables -> begin, contact -> ready
+//! laws, clock_parts, groups, reader, cache, samples -> plan -> part -> table, cell_tables -> begin, contact -> ready
 //! ```
 
 pub(crate) mod at_rest;
 pub(crate) mod begin;
 pub(crate) mod body;
 pub(crate) mod bounds;
+pub(crate) mod cache;
 pub mod cell_tables;
 pub mod clock;
 pub(crate) mod clock_parts;

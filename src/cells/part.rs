@@ -1,7 +1,6 @@
 //! The cells of a list, divided into parts whose cells run one model each.
 
 use super::body::body_parameters;
-use super::laws::Laws;
 use super::listing::{CellAt, Listing};
 use super::plan::Plan;
 use super::table::Table;
@@ -43,17 +42,18 @@ impl Part {
         let table =
             Table::of(&list, &deciding, |case| (plan.locks_vertical(case), plan.laws_of(case)));
         let mut parts: Vec<Part> = Vec::new();
-        let mut part_of = |&(vertical_locked, laws): &(bool, Laws)| {
+        // The part of each entry of the table.
+        let mut of_entries: Vec<usize> = Vec::with_capacity(table.entries.len());
+        for &(vertical_locked, laws) in &table.entries {
             let laws = if vertical_locked { laws.without_vertical() } else { laws };
             let known = parts.iter().position(|part| part.plan.laws == laws);
-            known.unwrap_or_else(|| {
+            of_entries.push(known.unwrap_or(parts.len()));
+            if known.is_none() {
                 let mut plan = if vertical_locked { plan.without_vertical() } else { plan.clone() };
                 plan.laws = laws;
                 parts.push(Part { plan, cells: Vec::new(), places: Vec::new(), vertical_locked });
-                parts.len() - 1
-            })
-        };
-        let of_entries: Vec<usize> = table.entries.iter().map(&mut part_of).collect();
+            }
+        }
         if let [only] = &mut parts[..] {
             (only.cells, only.places) = (cells.to_vec(), (0..cells.len()).collect());
             return parts;

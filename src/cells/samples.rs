@@ -1,46 +1,47 @@
 //! The samples of a record in the number types of sweeps: they are converted once, and shared by all batches of a sweep.
 
-use std::any::Any;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
+use super::cache::Cache;
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
 use crate::scene::record::Pair;
 
-/// The samples of a record in one number type.
-type Converted = Arc<dyn Any + Send + Sync>;
-
 /// The horizontal and the vertical samples as they were read.
-type Components = [Arc<[f64]>; 2];
+#[derive(Debug)]
+struct Components([Arc<[f64]>; 2]);
 
-/// The samples of one record, in each number type that was needed. A plan and the plans that are made from it share them.
+/// By their places in memory: the samples are many.
+impl PartialEq for Components {
+    fn eq(&self, other: &Components) -> bool {
+        self.0.iter().zip(&other.0).all(|(one, other)| Arc::ptr_eq(one, other))
+    }
+}
+
+/// The samples of one record, in each number type that was needed.
 #[derive(Debug, Default)]
-pub(crate) struct Samples(Mutex<Vec<(Components, Converted)>>);
+pub(crate) struct Samples(Cache<Components>);
 
 impl Samples {
     /// The samples of a record.
     pub(crate) fn of<R: Real>(&self, pair: &Pair) -> Arc<Vec<Ground<R>>> {
-        // If a thread panicked here, all entries are whole.
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let key = Components([&pair.horizontal, &pair.vertical].map(Arc::clone));
         // The scene of a plan is public: its record may be another one by now.
-        known.retain(|([horizontal, vertical], _)| {
-            Arc::ptr_eq(horizontal, &pair.horizontal) && Arc::ptr_eq(vertical, &pair.vertical)
-        });
-        let same = |(_, samples): &(_, Converted)| Arc::clone(samples).downcast().ok();
-        if let Some(samples) = known.iter().find_map(same) {
+        self.0.keep(&key);
+        if let Some(samples) = self.0.find(&key) {
             return samples;
         }
+        // Two threads that begin at the same time convert the same samples twice.
         let both = pair.horizontal.iter().zip(pair.vertical.iter());
         let samples = both.map(|(h, v)| Ground { h: R::of(*h), v: R::of(*v) });
         let samples: Arc<Vec<Ground<R>>> = Arc::new(samples.collect());
-        let of = [&pair.horizontal, &pair.vertical].map(Arc::clone);
-        known.push((of, Arc::clone(&samples) as Converted));
+        self.0.put(key, Arc::clone(&samples));
         samples
     }
 
     /// Frees all samples.
     pub(crate) fn clear(&self) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).clear();
+        self.0.clear();
     }
 }
 

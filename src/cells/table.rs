@@ -9,8 +9,9 @@ use super::listing::{CellAt, Index, Listing};
 use crate::scene::{Case, Parameter};
 use crate::work::parallel;
 
-/// The number of entries from which on all cores compute them.
-const MANY: usize = 1 << 10;
+/// The number of entries that a thread computes at once: an entry is some dozens of operations, so that fewer entries do not pay for
+/// another thread.
+const AT_ONCE: usize = 1 << 8;
 
 /// One entry for each combination of values that a group depends on.
 #[derive(Debug, Clone)]
@@ -32,11 +33,7 @@ impl<T: Send> Table<T> {
         let (entries, index) = &*known;
         let (grid, count) = (list.grid(), entries.count());
         let entry = |number| entry(&grid.case_at(&entries.place(number)));
-        let all = match count {
-            few if few < MANY => (0..count).map(entry).collect(),
-            _ => parallel::each(count, MANY / 4, entry),
-        };
-        Table { entries: all, index: index.clone() }
+        Table { entries: parallel::each(count, AT_ONCE, entry), index: index.clone() }
     }
 }
 

@@ -13,7 +13,7 @@ pub struct Asked {
     /// The largest accelerations of the upper plate and of the centre of mass, and the largest force that the base
     /// carries.
     pub accelerations: bool,
-    /// The largest force on the end stop, and how often the base meets it.
+    /// The largest force on the end stop, and how often it begins to push the base.
     pub stops: bool,
 }
 

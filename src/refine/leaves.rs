@@ -125,11 +125,11 @@ impl RefinedMap {
             (leaf.row..leaf.row + leaf.height).map(row).sum()
         };
         let count = |is_of: fn(&Leaf) -> bool| -> usize {
-            let cells = |number: usize| match &leaves[number] {
-                leaf if is_of(leaf) => leaf.width * leaf.height - ran(leaf),
-                _ => 0,
+            let not_run = |number: usize| {
+                let leaf = &leaves[number];
+                if is_of(leaf) { leaf.width * leaf.height - ran(leaf) } else { 0 }
             };
-            parallel::each(leaves.len(), 1 << 12, cells).into_iter().sum()
+            parallel::each(leaves.len(), parallel::LOOKUPS, not_run).into_iter().sum()
         };
         let beside = count(|leaf| leaf.beside);
         let impacts_differ = count(|leaf| leaf.impacts_differ);

@@ -214,7 +214,8 @@ impl Refiner<'_> {
 
     /// Those of some boxes that are open.
     fn open(&self, boxes: Vec<Square>) -> Vec<Square> {
-        let open = parallel::each(boxes.len(), 64, |number| self.is_open(boxes[number]));
+        let open =
+            parallel::each(boxes.len(), parallel::SHORT, |number| self.is_open(boxes[number]));
         boxes.into_iter().zip(open).filter_map(|(square, open)| open.then_some(square)).collect()
     }
 

@@ -52,16 +52,17 @@ macro_rules! with_columns {
 }
 pub(super) use with_columns;
 
+/// Number of bytes that a value of a column takes.
+pub(super) fn width(column: Column, precision: Precision) -> usize {
+    with_column!(column, C => match precision {
+        Precision::F32 => size_of::<Stored<ValueOf<C>, f32>>(),
+        Precision::F64 => size_of::<Stored<ValueOf<C>, f64>>(),
+    })
+}
+
 /// Number of bytes that the columns of one cell take in memory.
 pub fn bytes_a_cell(precision: Precision) -> usize {
-    fn width<C: ColumnType>(precision: Precision) -> usize {
-        match precision {
-            Precision::F32 => size_of::<Stored<C::Value, f32>>(),
-            Precision::F64 => size_of::<Stored<C::Value, f64>>(),
-        }
-    }
-    let width = |column: Column| with_column!(column, C => width::<C>(precision));
-    Column::ALL.into_iter().map(width).sum()
+    Column::ALL.into_iter().map(|column| width(column, precision)).sum()
 }
 
 impl<F: ColumnNumber> Columns<F> {

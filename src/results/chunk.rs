@@ -9,7 +9,7 @@ use std::io::{Read, Write};
 use flate2::bufread::GzDecoder;
 use flate2::{Compression, GzBuilder};
 
-use super::block::{Block, with_columns};
+use super::block::{self, Block, with_columns};
 use super::cell_value::{CellValue, Stored};
 use super::column_set::ColumnSet;
 use super::columns::{Column, ColumnType, Columns, with_column};
@@ -102,14 +102,7 @@ pub(super) fn held(packed: &[u8]) -> Option<usize> {
 
 /// The bytes of so many cells in an array of a column of a number type.
 pub(super) fn bytes_of(array: &str, column: Column, precision: Precision, cells: usize) -> usize {
-    if array == PROVED {
-        return cells;
-    }
-    cells
-        * with_column!(column, C => match precision {
-            Precision::F32 => size_of::<Stored<<C as ColumnType>::Value, f32>>(),
-            Precision::F64 => size_of::<Stored<<C as ColumnType>::Value, f64>>(),
-        })
+    if array == PROVED { cells } else { cells * block::width(column, precision) }
 }
 
 /// So many bytes from a file; none where it is not whole, or has not as many.

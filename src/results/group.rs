@@ -69,10 +69,8 @@ impl ChunkFiles<'_> {
         let mut arrays: Vec<(&str, Column)> = zarr::columns(self.columns).collect();
         let status = arrays.pop();
         let written = parallel::each(arrays.len(), 1, |number| write(arrays[number]));
-        let mut whole = true;
-        for written in written {
-            whole &= written?;
-        }
+        let written = written.into_iter().collect::<Result<Vec<bool>, _>>()?;
+        let whole = written.into_iter().all(|written| written);
         match status {
             Some(status) if whole => write(status),
             _ => Ok(whole),

@@ -28,7 +28,7 @@ use crate::work::parallel;
 /// Level of compression: of more, files are hardly smaller and take several times as long.
 const LEVEL: i64 = 2;
 
-/// The number of cells whose values a thread makes at once.
+/// The number of cells whose values a thread makes at once: some 100 kB, made in some ten microseconds.
 const AT_ONCE: usize = 1 << 14;
 
 /// Writes the archive, column by column, never a whole one in memory. Names are codes there, which `about`

@@ -44,19 +44,19 @@ impl SavedChunks {
         of: (u32, ColumnSet, Precision),
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<SavedChunks, StoreError> {
-        let find = |chunk| -> Result<_, StoreError> {
-            let found = find(folder, chunking, chunk, of)?;
-            if let Some(Ok(saved)) = &found {
+        let chunks = parallel::each(chunking.count(), 1, |chunk| {
+            let found = find(folder, chunking, chunk, of);
+            if let Ok(Some(Ok(saved))) = &found {
                 progress(saved.done.iter().map(Range::len).sum());
             }
-            Ok(found)
-        };
+            found
+        });
         let mut found = SavedChunks::default();
-        for one in parallel::each(chunking.count(), 1, find) {
-            let Some(one) = one? else { continue };
-            match one {
-                Ok(saved) => found.chunks.push(saved),
-                Err(broken) => found.broken.extend(broken),
+        for chunk in chunks {
+            match chunk? {
+                None => {}
+                Some(Ok(saved)) => found.chunks.push(saved),
+                Some(Err(broken)) => found.broken.extend(broken),
             }
         }
         Ok(found)

@@ -206,10 +206,7 @@ impl Store {
         if !self.has_metadata.load(Ordering::Relaxed) {
             self.write_metadata(|path| !self.path.join(path).exists())?;
             if let Some(pair) = self.record.as_ref().filter(|_| !self.path.join(SAMPLES).exists()) {
-                let mut both = pair.horizontal.iter().chain(pair.vertical.iter());
-                self.folder.write(SAMPLES, |w| {
-                    both.try_for_each(|sample| w.write_all(&sample.to_le_bytes()))
-                })?;
+                self.folder.write(SAMPLES, |w| w.write_all(&pair.bytes()))?;
             }
             self.has_metadata.store(true, Ordering::Relaxed);
         }

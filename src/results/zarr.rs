@@ -171,10 +171,13 @@ fn flat(about: Map<String, Value>) -> Map<String, Value> {
 
 /// The attributes of a group as they were before they were stored: the texts of objects and arrays are these again.
 pub fn nested(attributes: Map<String, Value>) -> Map<String, Value> {
-    let parsed = |text: &str| {
-        text.starts_with(['{', '[']).then(|| serde_json::from_str(text).ok()).flatten()
+    let one = |value: Value| match value {
+        Value::String(text) if text.starts_with(['{', '[']) => {
+            // Any other text that begins so, such as a title, is no JSON.
+            serde_json::from_str(&text).unwrap_or(Value::String(text))
+        }
+        plain => plain,
     };
-    let one = |value: Value| value.as_str().and_then(parsed).unwrap_or(value);
     attributes.into_iter().map(|(key, value)| (key, one(value))).collect()
 }
 

@@ -94,15 +94,19 @@ impl RecordText {
 
     /// The first key that makes another motion of the record, where one is given.
     pub fn treated_key(&self) -> Option<&'static str> {
+        self.treated_keys().next().or_else(|| self.treatment.baseline.map(|_| "baseline"))
+    }
+
+    /// The keys of further files and of numbers that make another motion of the record, as far as they are given.
+    fn treated_keys(&self) -> impl Iterator<Item = &'static str> {
         let files = [
             ("horizontal_2", self.horizontal_2.is_some()),
             ("horizontal_2_channel", self.horizontal_2_channel.is_some()),
             ("join", self.join.is_some()),
             ("join_vertical", self.join_vertical.is_some()),
         ];
-        let file = files.into_iter().find(|(_, given)| *given).map(|(key, _)| key);
-        file.or_else(|| self.treatment.given().next().map(|(key, _)| key))
-            .or_else(|| self.treatment.baseline.map(|_| "baseline"))
+        let files = files.into_iter().filter(|(_, given)| *given).map(|(key, _)| key);
+        files.chain(self.treatment.given().map(|(key, _)| key))
     }
 
     /// Refuses what says nothing without another key.
@@ -118,13 +122,7 @@ impl RecordText {
             "floor_damping" | "floor_factor" => (floor_period.is_none(), "floor_period"),
             _ => (false, ""),
         };
-        let files = [
-            ("horizontal_2", self.horizontal_2.is_some()),
-            ("horizontal_2_channel", self.horizontal_2_channel.is_some()),
-            ("join_vertical", self.join_vertical.is_some()),
-        ];
-        let files = files.into_iter().filter(|(_, given)| *given).map(|(key, _)| key);
-        for key in files.chain(self.treatment.given().map(|(key, _)| key)) {
+        for key in self.treated_keys() {
             if let (true, other) = needs(key) {
                 let problem = format!("it says nothing without `{other}`; give that, too");
                 return Err(SceneError::new(key, problem));
@@ -238,9 +236,7 @@ pub fn check_record(
         provenance.horizontal_2 = horizontal_2;
         provenance.treatment = text.treatment;
     }
-    let pair = treated(pair, text, &hints, directory, force)?;
-    check_factors(&pair, numbers, force)?;
-    Ok(scaled(pair, numbers))
+    treated(pair, (text, numbers), &hints, directory, force)
 }
 
 /// A motion at hand, with what a scene makes of it: the record that follows, the floor, the factor.
@@ -258,9 +254,7 @@ pub(super) fn check_motion(
         return Err(SceneError::new("horizontal_2", problem));
     }
     let hints = hints_of(text, numbers)?;
-    let pair = treated(pair, text, &hints, directory, force)?;
-    check_factors(&pair, numbers, force)?;
-    Ok(scaled(pair, numbers))
+    treated(pair, (text, numbers), &hints, directory, force)
 }
 
 /// What is said of all files of a record.
@@ -314,10 +308,10 @@ fn read_together<const N: usize>(
     Ok(records)
 }
 
-/// A motion with the record that follows it, on its floor.
+/// A motion with the record that follows it, on its floor, scaled.
 fn treated(
     mut pair: Pair,
-    text: &RecordText,
+    (text, numbers): (&RecordText, &Numbers),
     hints: &RecordHints,
     directory: &Path,
     force: bool,
@@ -344,10 +338,11 @@ fn treated(
             }
         }
     }
-    match floor_period {
-        Some(period) => pair.floor(period, &text.treatment),
-        None => Ok(pair),
+    if let Some(period) = floor_period {
+        pair = pair.floor(period, &text.treatment)?;
     }
+    check_factors(&pair, numbers, force)?;
+    Ok(scaled(pair, numbers))
 }
 
 /// Refuses factors of a scene that make more of a motion than a ground does, unless that is forced.

@@ -157,12 +157,13 @@ impl<R: Real> LongSteps<R> {
         // `as` saturates; no number of steps is that large.
         let least = substeps_h.max((LONG_STEPS_A_PERIOD * periods).ceil() as u32);
         let steps = (substeps / least.max(1)).max(1);
-        let last = match substeps % steps {
-            0 => steps,
-            rest => rest,
-        };
         let over = |steps: u32| Swing::over(f64::from(steps) * step, stiffness, damping);
-        LongSteps { steps: R::of(f64::from(steps)), whole: over(steps), last: over(last) }
+        let whole = over(steps);
+        let last = match substeps % steps {
+            0 => whole,
+            rest => over(rest),
+        };
+        LongSteps { steps: R::of(f64::from(steps)), whole, last }
     }
 }
 

@@ -48,6 +48,12 @@ impl Class {
     pub fn overturned(self) -> bool {
         matches!(self, Class::OverturnedLeft | Class::OverturnedRight)
     }
+
+    /// True where a block of this outcome loses contact, its least normal contact force being `least`. In free fall the force is
+    /// zero, not less. False where the force is not known, and of a cell without an outcome unless it is below zero.
+    pub fn loses_contact(self, least: f64) -> bool {
+        least < 0.0 || least <= 0.0 && self != Class::Unresolved
+    }
 }
 
 /// How the integration of a cell ended.
@@ -183,16 +189,20 @@ impl Outcome {
         self.impacts > 0 && self.uplifts > 1
     }
 
-    /// True where the base does not press on the block at some time, or would have to pull it: there the model is not valid. In free
-    /// fall the force is zero, not less. False where the force is not known, and of a cell without an outcome unless it is below zero.
+    /// True where the base does not press on the block at some time, or would have to pull it: there the model is not valid.
     pub fn loses_contact(&self) -> bool {
-        let none = self.min_contact <= 0.0 && self.class != Class::Unresolved;
-        none || self.min_contact < 0.0
+        self.class.loses_contact(self.min_contact)
     }
 
     /// True where the contact has a friction coefficient, and the motion asks for more.
     pub fn slides(&self, coefficient: Option<f64>) -> bool {
         coefficient.is_some_and(|mu| self.friction > mu)
+    }
+
+    /// True where the model is too small for what a cell does: it loses contact, or asks for more friction than there is. False where
+    /// this is not known.
+    pub fn is_beyond_the_model(&self, friction: Option<f64>) -> bool {
+        self.loses_contact() || self.slides(friction)
     }
 
     /// Of a cell that has not run.

@@ -3,13 +3,14 @@
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
 use super::settings::Method;
 use crate::backend::ready::Backend;
 use crate::model::precision::Precision;
+use crate::results::element::Element;
 use crate::results::identity::Identity;
 use crate::results::shard::Shard;
+use crate::scene::record::sha256;
 use crate::scene::{Excitation, Scene};
 
 /// Everything that a map depends on.
@@ -33,18 +34,11 @@ pub struct Content {
 /// Keys in which the shards of one map may differ.
 pub const MAY_DIFFER: [&str; 3] = ["backend", "adapter", "part"];
 
-/// SHA-256 of the samples of a record as a file of a shard has them, in hexadecimal digits.
-fn checksum(horizontal: &[f64], vertical: &[f64]) -> String {
-    let mut sum = Sha256::new();
-    horizontal.iter().chain(vertical).for_each(|sample| sum.update(sample.to_le_bytes()));
-    sum.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
 impl Content {
     /// Of a scene, or of a part of it, that a backend runs.
     pub fn new(scene: &Scene, backend: &Backend, method: &Method, shard: Option<Shard>) -> Content {
         let pair = scene.excitation.record();
-        let samples = pair.map(|pair| checksum(&pair.horizontal, &pair.vertical));
+        let samples = pair.map(|pair| sha256(&pair.bytes()));
         Content {
             version: env!("CARGO_PKG_VERSION").into(),
             scene: scene.clone(),
@@ -71,15 +65,14 @@ impl Content {
 
     /// Takes over the samples of its record from the bytes of a shard's file; false where they are others.
     pub fn take_samples(&mut self, bytes: &[u8]) -> bool {
-        let (numbers, rest) = bytes.as_chunks::<{ size_of::<f64>() }>();
-        let both: Vec<f64> = numbers.iter().map(|number| f64::from_le_bytes(*number)).collect();
-        let (horizontal, vertical) = both.split_at(both.len() / 2);
-        let same = self.samples.as_ref() == Some(&checksum(horizontal, vertical));
-        let alike = rest.is_empty() && horizontal.len() == vertical.len();
-        if let (Excitation::Record(pair), true) = (&mut self.scene.excitation, same && alike) {
+        let same = self.samples.as_ref() == Some(&sha256(bytes))
+            && bytes.len().is_multiple_of(2 * size_of::<f64>());
+        if let (Excitation::Record(pair), true) = (&mut self.scene.excitation, same) {
+            let both = f64::first_of(bytes, bytes.len());
+            let (horizontal, vertical) = both.split_at(both.len() / 2);
             (pair.horizontal, pair.vertical) = (horizontal.into(), vertical.into());
         }
-        same && alike
+        same
     }
 
     /// Takes over the samples of a record that is the same; false where there is none, or another one.

@@ -17,7 +17,7 @@ use crate::backend::backend_error::BackendError;
 use crate::backend::ready::Backend;
 use crate::backend::report::{Report, threads};
 use crate::backend::request::OpenBackends;
-use crate::cells::contact::full_contact;
+use crate::cells::contact::sharing;
 use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::results::about::Source;
@@ -202,7 +202,7 @@ impl Job {
 
     /// Bytes of the motions in full contact that its cells share.
     pub fn bytes_shared(&self) -> usize {
-        full_contact::bytes_shared(&self.plan, &self.grid, self.method().precision)
+        sharing::bytes_shared(&self.plan, &self.grid, self.method().precision)
     }
 
     /// True where the map is held in memory until it is written.

@@ -124,18 +124,27 @@ impl Repairing<'_> {
     /// The first round: all cells beside a boundary. The cells that change.
     fn first_round(&mut self) -> Result<Vec<usize>, SweepError> {
         let (grid, outcomes) = (self.grid, self.outcomes);
-        let mut count = 0;
+        let (mut count, mut cells) = (0, Vec::new());
         self.observer.begins(Phase::Counting, grid.len());
         let watched = ObservedOutcomes::new(outcomes, self.observer);
-        beside_boundary(grid, &watched, |_, beside| {
+        beside_boundary(grid, &watched, |cell, beside| {
             count += usize::from(beside);
+            if beside && cells.len() < self.most {
+                cells.push(cell);
+            }
             Ok::<(), SweepError>(())
         })?;
-        let (mut cells, mut changed) = (Vec::new(), Vec::new());
+        let mut changed = Vec::new();
         if count == 0 {
             return Ok(changed);
         }
         self.begin_round(count);
+        if count == cells.len() {
+            self.list(&cells, &mut changed)?;
+            return Ok(changed);
+        }
+        // They do not fit into one list: the map is read again.
+        cells.clear();
         beside_boundary(grid, outcomes, |cell, beside| {
             if beside {
                 cells.push(cell);

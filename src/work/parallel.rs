@@ -3,34 +3,36 @@
 //! A loop of rayon is compiled anew for each closure, some hundred functions each time: they were a fifth of the time in which the
 //! engine is compiled. These loops share one.
 
-use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
 use super::threads::install;
 
-/// Runs parts of `0..count`, of `at_once` numbers each and fewer in the last one.
-pub fn ranges(count: usize, at_once: usize, part: &(dyn Fn(Range<usize>) + Sync)) {
-    let part = |number: usize| part(number * at_once..((number + 1) * at_once).min(count));
-    match count.div_ceil(at_once) {
-        0 => {}
-        1 => part(0),
-        parts => install(|| (0..parts).into_par_iter().with_max_len(1).for_each(part)),
-    }
+/// How many values a thread computes at once where each takes some ten nanoseconds, such as a look-up: then a part takes far
+/// longer than it takes to hand it out.
+pub const LOOKUPS: usize = 1 << 12;
+
+/// The same where each value takes about a microsecond, such as the numbers of a cell.
+pub const SHORT: usize = 1 << 6;
+
+/// The loop that all share.
+fn run(parts: usize, part: &(dyn Fn(usize) + Sync)) {
+    install(|| (0..parts).into_par_iter().with_max_len(1).for_each(part));
 }
 
-/// The values of `0..count` in their order; a thread computes `at_once` of them, then takes others.
+/// The values of `0..count` in their order; a thread computes `at_once` of them, then takes others. At the end the values are in
+/// memory twice: in the parts, which go one by one, and in the result.
 pub fn each<T: Send>(count: usize, at_once: usize, value: impl Fn(usize) -> T + Sync) -> Vec<T> {
     if count <= at_once {
         return (0..count).map(value).collect();
     }
     let parts: Vec<Mutex<Vec<T>>> =
         (0..count.div_ceil(at_once)).map(|_| Mutex::new(Vec::new())).collect();
-    ranges(count, at_once, &|numbers| {
-        let part = &parts[numbers.start / at_once];
+    run(parts.len(), &|number| {
+        let numbers = number * at_once..((number + 1) * at_once).min(count);
         let values = numbers.map(&value).collect();
-        *part.lock().unwrap_or_else(PoisonError::into_inner) = values;
+        *parts[number].lock().unwrap_or_else(PoisonError::into_inner) = values;
     });
     let mut all = Vec::with_capacity(count);
     for part in parts {

@@ -12,7 +12,6 @@ use super::stages::at_most;
 use super::view::{kind, marks};
 use topple::results::palette::Kind;
 use topple::scene::{Parameter, Scene, Values};
-use topple::stepping::outcome::Outcome;
 use topple::sweep::points::sweep_points;
 
 /// A request for the cells along a line.
@@ -86,11 +85,10 @@ pub fn run(
         own if own == parameters[1] => Some(point[1]),
         own => ready.grid.value(own, 0),
     };
-    let beyond =
-        |point: &[f64; 2], cell: &Outcome| cell.min_contact < 0.0 || cell.slides(friction(point));
     let kinds = Kind::all();
     let told = outcomes.iter().zip(&points);
-    let marks: Vec<u8> = told.map(|(cell, at)| marks(cell, beyond(at, cell))).collect();
+    let marks: Vec<u8> =
+        told.map(|(cell, at)| marks(cell, cell.is_beyond_the_model(friction(at)))).collect();
     let cells = &outcomes;
     Ok(json!({
         "shape": [count],

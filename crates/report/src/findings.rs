@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use topple::results::columns::TABLE;
 use topple::results::earlier::Kind;
 use topple::scene::words;
+use topple::stepping::outcome::Class;
 use topple_pictures::drawing::share::{given, percent};
 use topple_studies::uncertain::Varied;
 
@@ -170,6 +171,7 @@ pub fn motion(folder: &Folder) -> String {
     let value = |key: &str| of(key).and_then(|value| value.as_f64());
     let class = of("class").and_then(|class| class.as_str()).unwrap_or_default();
     let mut text = format!("The block {}.", outcome(class));
+    let known = Class::ALL.into_iter().find(|known| known.name() == class);
     if class.starts_with("overturned")
         && let Some(end) = value("t_end")
     {
@@ -191,7 +193,9 @@ pub fn motion(folder: &Folder) -> String {
             text += &format!(" {what} {} {unit}.", number(value));
         }
     }
-    if value("min_contact").is_some_and(|least| least < 0.0) {
+    if let (Some(class), Some(least)) = (known, value("min_contact"))
+        && class.loses_contact(least)
+    {
         text += &format!(" {PULLS}");
     }
     text

@@ -23,7 +23,6 @@ use crate::cells::ready::Cells;
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
 use crate::scene::grid::AXES;
-use crate::work::threads::install;
 
 /// The most gaps between samples that a thread searches, twice at most: the software driver ends loops silently after
 /// 65,535 iterations.
@@ -145,7 +144,7 @@ impl<R: Real> Inputs<R> {
         }
         let threads = threads.unwrap_or_else(|| {
             tile.list(cells.len(), words.len(), &self.firsts);
-            words.extend(install(|| listed::places(all, cells.clone())));
+            words.extend(listed::places(all, cells.clone()));
             cells.len()
         });
         words.resize(words.len().max(1), 0);

@@ -41,7 +41,8 @@ pub fn places<R: Real>(all: &Cells<R>, cells: Range<usize>) -> Vec<u32> {
             all.of_motions.as_ref().map_or([0; 2], |of| [entry(&of[0]), entry(&of[1])]);
         [horizontal, vertical, drive, entry(&tables.bodies.index), across, up]
     };
-    parallel::each(cells.len(), 1 << 12, |number| of(cells.start + number)).into_flattened()
+    parallel::each(cells.len(), parallel::LOOKUPS, |number| of(cells.start + number))
+        .into_flattened()
 }
 
 /// The number of the clock of each cell, where the tables hold the clocks.
@@ -49,7 +50,7 @@ pub fn clocks<R: Real>(all: &Cells<R>, cells: Range<usize>) -> Vec<u32> {
     match &all.tables.clocks {
         Clocks::Shared(table) => {
             let of = |number| table.index.of(&all.tables.cell(number)) as u32;
-            parallel::each(cells.len(), 1 << 12, |number| of(cells.start + number))
+            parallel::each(cells.len(), parallel::LOOKUPS, |number| of(cells.start + number))
         }
         Clocks::Own(_) => Vec::new(),
     }

@@ -12,7 +12,6 @@ use crate::results::block::Block;
 use crate::stepping::log::Event;
 use crate::stepping::outcome::Outcome;
 use crate::stepping::state::{PROVED, RUNNING, State};
-use crate::work::threads::install;
 
 /// The outcomes of the cells that a device computed, and the time that it took.
 pub struct DeviceOutcomes<R> {
@@ -77,7 +76,7 @@ pub fn read<R: Real>(
             });
         }
     };
-    install(|| block.fill(tile.start, cells.len(), of));
+    block.fill(tile.start, cells.len(), of);
     match unfinished.into_inner() {
         0 => Ok(()),
         some => Err(BackendError::Unfinished(some)),

@@ -156,7 +156,7 @@ pub struct OwnClocks<R> {
     pub steps: Vec<Steps<R>>,
 }
 
-/// The number of cells whose clocks are listed together.
+/// The number of cells whose clocks are listed together: in smaller groups the same clock would be listed more often.
 const TOGETHER: usize = 1 << 12;
 /// The number of clocks that are remembered; a clock that is forgotten is listed again.
 const REMEMBERED: usize = 256;
@@ -168,17 +168,16 @@ impl<R: Real> OwnClocks<R> {
         let Clocks::Own(parts) = &tables.clocks else { return None };
         let mut numbers = vec![0; cells.len()];
         let lists = parallel::each_slice(&mut numbers, TOGETHER, |group, numbers| {
-            list(tables, parts, cells.start + group * TOGETHER, numbers)
+            let listed = list(tables, parts, cells.start + group * TOGETHER, numbers);
+            listed.iter().map(|own| (own.clock, own.steps())).collect::<(Vec<_>, Vec<_>)>()
         });
-        let firsts: Vec<u32> = lists
-            .iter()
-            .scan(0, |first, list| Some(std::mem::replace(first, *first + list.len() as u32)))
-            .collect();
-        parallel::each_slice(&mut numbers, TOGETHER, |group, numbers| {
-            numbers.iter_mut().for_each(|number| *number += firsts[group]);
-        });
-        let (clocks, steps) =
-            lists.iter().flatten().map(|listed| (listed.clock, listed.steps())).unzip();
+        let (mut clocks, mut steps) = (Vec::new(), Vec::new());
+        for (numbers, listed) in numbers.chunks_mut(TOGETHER).zip(lists) {
+            let first = clocks.len() as u32;
+            numbers.iter_mut().for_each(|number| *number += first);
+            clocks.extend(listed.0);
+            steps.extend(listed.1);
+        }
         Some(OwnClocks { numbers, clocks, steps })
     }
 }

@@ -18,28 +18,19 @@ use super::kept_motions::Kept;
 use super::motions::{MotionPair, Motions};
 use super::motions_with_forces;
 use super::shared_motion::{MotionSet, Start};
-use crate::cells::laws::Laws;
+use super::sharing::sharing;
 use crate::cells::listing::{Entries, Index, occurring};
 use crate::cells::plan::Plan;
 use crate::cells::window::Combinations;
 use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
-use crate::model::precision::Precision;
 use crate::model::real::Real;
 use crate::scene::grid::Place;
-use crate::scene::{Excitation, Grid, Parameter};
-use crate::stepping::certificate::STEPS_A_TRY;
+use crate::scene::{Grid, Parameter};
 use crate::stepping::spans::Direction;
 use crate::work::observer::Observer;
 use crate::work::parallel;
 use crate::work::vectors::lanes_of;
-
-/// Largest memory for the motions, bytes; where a grid needs more, each cell integrates its own full contact.
-const MOST_MEMORY: usize = 1 << 29;
-/// The number of cells that take as long as a motion that they share, where no contact forces are requested: under
-/// 148 motions, of grids of 6 x 6, 8 x 8, 10 x 10 and 16 x 16 over (T_h, T_v), sharing took 1.35, 1.13, 0.88 and 0.53 of
-/// the time.
-const CELLS_A_MOTION: usize = 4;
 
 /// The full-contact motions that cells of a plan's grid share.
 #[derive(Debug)]
@@ -56,79 +47,6 @@ pub struct FullContactMotions<R> {
     after: u32,
     /// The vector instructions of this machine.
     pub(crate) level: Level,
-}
-
-/// The largest number of steps for which motions are continued after a pulse: some periods of the base, in which a
-/// base that will still move farther than before does so. Of 400 x 400 cells 60,948 of the 63,492 that never lift are
-/// final by then.
-const AFTER_PULSE: u32 = 20 * STEPS_A_TRY;
-
-/// The number of steps for which motions are continued after the excitation. In these steps the energy proves cells
-/// final. Where the ground moves the block directly there are none: its force may jump at the end of the excitation,
-/// so that a gap does not begin with the value with which the gap before it ends.
-fn steps_after(plan: &Plan, still: bool) -> u32 {
-    let Laws { moves: [h, v], .. } = plan.laws;
-    let pulse = plan.scene.excitation.record().is_none();
-    if pulse && plan.shortcuts.certificate && h && (v || still) { AFTER_PULSE } else { 0 }
-}
-
-/// Bytes of the motions of these combinations, with so many steps after the excitation, where they fit in memory. The motions
-/// of a pulse are counted one by one until they do not fit.
-fn fit<R: Real>(plan: &Plan, grid: &Grid, all: &[Combinations; 2], after: u32) -> Option<usize> {
-    let most = MOST_MEMORY / size_of::<R>();
-    let mut left = most;
-    let directions = [Direction::Horizontal, Direction::Vertical];
-    let fields = directions.map(|direction| direction.fields(plan.asked.forces));
-    let fits = all.iter().zip(fields).all(|(all, fields)| {
-        let most = left / fields;
-        let samples = match &plan.scene.excitation {
-            Excitation::Record(pair) => all.count().saturating_mul(pair.len()),
-            // A motion has two samples at least.
-            Excitation::Pulse(_) if all.count() > most / 2 => most + 1,
-            Excitation::Pulse(_) => {
-                let mut samples = 0;
-                for number in 0..all.count() {
-                    let clock = plan.clock(&grid.case_at(&all.place(number)));
-                    let after = after.min(clock.steps - clock.steps_forced);
-                    samples += (clock.steps_forced + after) as usize + 1;
-                    if samples > most {
-                        break;
-                    }
-                }
-                samples
-            }
-        };
-        left = left.saturating_sub(samples.saturating_mul(fields));
-        samples <= most
-    });
-    fits.then_some((most - left) * size_of::<R>())
-}
-
-/// True where the cells of a grid share the motions of these combinations. With as many motions as cells nothing is saved;
-/// without forces a cell is so cheap that one motion takes as long as several cells.
-fn shares(plan: &Plan, grid: &Grid, all: &[Combinations; 2]) -> bool {
-    let each = if plan.asked.forces { 1 } else { CELLS_A_MOTION };
-    let motions = all[0].count().saturating_add(all[1].count()).saturating_mul(each);
-    let pays = grid.len() > motions && shared_amplitude(plan, grid) != Some(0.0);
-    plan.shortcuts.full_contact && plan.shares_contact() && !grid.tilts() && pays
-}
-
-/// The bytes of the motions that the cells of a grid share, and the steps after the excitation; none where they share none.
-fn sharing<R: Real>(plan: &Plan, grid: &Grid) -> Option<(usize, u32)> {
-    let of = Dependence::of(plan, grid);
-    let all = of.combinations(grid);
-    let mut most =
-        [steps_after(plan, of.still), 0].into_iter().filter(|_| shares(plan, grid, &all));
-    most.find_map(|after| Some((fit::<R>(plan, grid, &all, after)?, after)))
-}
-
-/// Bytes of the motions in full contact that the cells of a grid share.
-pub fn bytes_shared(plan: &Plan, grid: &Grid, precision: Precision) -> usize {
-    let shared = match precision {
-        Precision::F32 => sharing::<f32>(plan, grid),
-        Precision::F64 => sharing::<f64>(plan, grid),
-    };
-    shared.map_or(0, |(bytes, _)| bytes)
 }
 
 /// The motions that a list needs, together with those that are there already. They are those of the whole grid where
@@ -174,7 +92,7 @@ impl<R: Real> FullContactMotions<R> {
         let all = of.combinations(grid);
         let after = match known {
             Some(known) => known.after,
-            None => sharing::<R>(plan, grid)?.1,
+            None => sharing(plan, grid, &all, (of.still, size_of::<R>()))?.1,
         };
         let known = known.map(|known| [&known.across, &known.up]);
         let wanted =
@@ -198,17 +116,20 @@ impl<R: Real> FullContactMotions<R> {
             };
             let missing = kept.missing();
             let starts: Vec<Start<R>> =
-                parallel::each(missing.len(), 64, |number| start(&missing[number]));
+                parallel::each(missing.len(), parallel::SHORT, |number| start(&missing[number]));
             let lengths = starts.iter().map(Start::samples);
             let mut motions = kept.with_room(direction.fields(plan.asked.forces), lengths);
             let mut slots = kept.fill(&mut motions);
             parallel::each_slice(&mut slots, lanes, |number, slots| {
+                if observer.cancelled() {
+                    return;
+                }
                 let starts = &starts[number * lanes..][..slots.len()];
                 let set = MotionSet { variant, direction, record, starts };
-                match plan.asked.forces {
-                    _ if observer.cancelled() => {}
-                    true => motions_with_forces::integrate(set, slots, level),
-                    false => bounded_motions::integrate(set, slots, level),
+                if plan.asked.forces {
+                    motions_with_forces::integrate(set, slots, level);
+                } else {
+                    bounded_motions::integrate(set, slots, level);
                 }
             });
             (!observer.cancelled()).then_some(motions)

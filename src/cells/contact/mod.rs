@@ -13,4 +13,5 @@ pub(crate) mod shared;
 pub(crate) mod shared_contact;
 pub(crate) mod shared_friction;
 pub(crate) mod shared_motion;
+pub(crate) mod sharing;
 pub(crate) mod written_motions;

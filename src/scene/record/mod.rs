@@ -87,6 +87,11 @@ fn time_of(sample: usize, dt: f64) -> f64 {
     rounded(sample as f64 * dt, DIGITS)
 }
 
+/// What is said of one component, or of one record, among several: each sentence after its name.
+fn of_one(name: &str, told: &[String]) -> impl Iterator<Item = String> {
+    told.iter().map(move |sentence| format!("{name}: {sentence}"))
+}
+
 /// What is said of a file whose accelerations are as they were recorded.
 const NOT_CORRECTED: &str = "not corrected by its file";
 

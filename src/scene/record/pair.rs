@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::lines::MOST_SAMPLES;
 use super::steps::{SHORTEST_STEP, Steps, at};
-use super::{DIGITS, Provenance, Record, RecordError, rounded, time_of};
+use super::{DIGITS, Provenance, Record, RecordError, of_one, rounded, time_of};
 use crate::scene::{GRAVITY, Parameter};
 
 /// The ground motion of a scene: both components, evenly sampled, of equal length.
@@ -107,16 +107,13 @@ impl Pair {
 
     /// The same of records that are known to be some, and to have few samples together.
     pub(super) fn brought(horizontal: Record, vertical: Option<Record>, steps: Steps) -> Pair {
-        let of = |name: &str, told: &[String]| -> Vec<String> {
-            told.iter().map(|note| format!("{name}: {note}")).collect()
-        };
-        let mut notes = of("horizontal", &horizontal.notes);
-        let mut doubts = of("horizontal", &horizontal.doubts);
+        let mut notes: Vec<String> = of_one("horizontal", &horizontal.notes).collect();
+        let mut doubts: Vec<String> = of_one("horizontal", &horizontal.doubts).collect();
         let mut title = horizontal.title.clone();
         let mut lengths = [horizontal.samples.len(), 0];
         if let Some(vertical) = &vertical {
-            notes.extend(of("vertical", &vertical.notes));
-            doubts.extend(of("vertical", &vertical.doubts));
+            notes.extend(of_one("vertical", &vertical.notes));
+            doubts.extend(of_one("vertical", &vertical.doubts));
             title = format!("{title} + {}", vertical.title);
             lengths[1] = vertical.samples.len();
         }
@@ -196,6 +193,11 @@ impl Pair {
         let peak = |samples: &[f64]| samples.iter().fold(0.0, |p: f64, a| p.max(a.abs()));
         self.pga_h = peak(&self.horizontal);
         self.pga_v = peak(&self.vertical);
+    }
+
+    /// The bytes of the horizontal samples and then of the vertical ones, the lowest of each first.
+    pub fn bytes(&self) -> Vec<u8> {
+        self.horizontal.iter().chain(self.vertical.iter()).flat_map(|a| a.to_le_bytes()).collect()
     }
 
     /// Time of the last sample, s.

@@ -3,7 +3,7 @@
 use super::lines::MOST_SAMPLES;
 use super::pair::common;
 use super::steps::at;
-use super::{DIGITS, Pair, Record, RecordError, rounded};
+use super::{DIGITS, Pair, Record, RecordError, of_one, rounded};
 
 impl Pair {
     /// This motion, then a given number of seconds of zeros, then another motion, whose samples stay what they are where both have
@@ -42,11 +42,9 @@ impl Pair {
                 notes.push(format!("the {pair} record resampled from {own} s to {dt} s"));
             }
         }
-        let of_next = |told: &[String]| -> Vec<String> {
-            told.iter().map(|note| format!("second record: {note}")).collect()
-        };
-        notes.extend(of_next(&next.notes));
-        let doubts = [self.doubts.clone(), of_next(&next.doubts)].concat();
+        notes.extend(of_one("second record", &next.notes));
+        let mut doubts = self.doubts.clone();
+        doubts.extend(of_one("second record", &next.doubts));
         notes.push(format!(
             "'{}' follows at {begins} s, after {} s of zeros",
             next.title,

@@ -4,7 +4,7 @@
 use super::joined::{align, later};
 use super::pair::common;
 use super::steps::at;
-use super::{Record, Treatment, rounded};
+use super::{Record, Treatment, of_one, rounded};
 use crate::scene::SceneError;
 use crate::scene::parameters::ACCEPTED;
 
@@ -75,10 +75,9 @@ pub(in crate::scene) fn turned(
         factors[0] * at(&one.samples, k, steps.parts[0])
             + factors[1] * at(&other.samples, k, steps.parts[1])
     });
-    let mut notes = one.notes;
-    let of_second = |note: String| format!("second component: {note}");
-    notes.extend(other.notes.into_iter().map(of_second));
-    let doubts = one.doubts.into_iter().chain(other.doubts.into_iter().map(of_second)).collect();
+    let (mut notes, mut doubts) = (one.notes, one.doubts);
+    notes.extend(of_one("second component", &other.notes));
+    doubts.extend(of_one("second component", &other.doubts));
     notes.push(format!(
         "turned to {azimuth} degrees, of '{}' at {first} and '{}' at {second} degrees",
         one.title, other.title

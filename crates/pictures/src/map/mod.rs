@@ -14,8 +14,7 @@ use std::ops::Range;
 use topple::results::column_set::ColumnSet;
 use topple::results::columns::Column;
 use topple::results::outcomes::Outcomes;
-use topple::results::tally::slides;
-use topple::scene::{Grid, Scene};
+use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;
 
 /// A finished sweep in memory.
@@ -34,8 +33,7 @@ impl Map<'_> {
     /// True where the model is too small for what a cell does: its contact force turns tensile, or
     /// it asks for more friction than there is. Of cells of which this is not known it is false.
     pub fn beyond_the_model(&self, cell: usize) -> bool {
-        let outcome = &self.outcomes[cell];
-        outcome.loses_contact() || slides(&self.grid, cell, outcome)
+        self.outcomes[cell].is_beyond_the_model(self.grid.value(Parameter::Friction, cell))
     }
 
     /// True where it is known which cells are beyond the model.

@@ -92,8 +92,12 @@ impl Comparison {
             let of_column =
                 |k: usize| percentiles(&plain, 0, move |motion: &SweptMotion| motion.others[k][0]);
             let other = |column: Column| settings.others.iter().position(|other| *other == column);
-            let tensile = other(Column::MinContact)
-                .map_or(0, |k| plain.iter().filter(|motion| motion.others[k][0] <= 0.0).count());
+            let tensile = other(Column::MinContact).map_or(0, |k| {
+                let loses_contact = |motion: &&SweptMotion| {
+                    motion.outcomes[0].loses_contact(motion.others[k][0].into())
+                };
+                plain.iter().filter(loses_contact).count()
+            });
             let stop_from = other(Column::StopHits).filter(|_| has_stop).and_then(|k| {
                 let hits = |place: &dyn Fn(&Shaken) -> usize| {
                     let mut all = motions.iter().zip(shaken);

@@ -64,8 +64,7 @@ fn of_numbers(text: &str, hints: &RecordHints, mut told: Told) -> Result<Raw, Re
         if line.is_empty() || line.starts_with(COMMENT) {
             continue;
         }
-        refuse_two_signs(at, line)?;
-        let row = Row::new(line);
+        let row = Row::new(at, line)?;
         commas |= row.has_commas();
         let fields = row.fields();
         let Some(numbers) = numbers(&fields) else {
@@ -146,9 +145,6 @@ const DECIMAL_COMMAS: &str = "decimal commas";
 
 /// Refuses a row of semicolons with decimal commas in one number and a point in another: the one may separate thousands.
 fn refuse_two_signs(at: usize, line: &str) -> Result<(), RecordError> {
-    if !line.contains(';') || !line.contains(',') {
-        return Ok(());
-    }
     let fields = || {
         line.split(';').map(str::trim).filter(|field| {
             field.contains(|c: char| c.is_ascii_digit())
@@ -173,12 +169,17 @@ fn refuse_two_signs(at: usize, line: &str) -> Result<(), RecordError> {
 struct Row<'a>(Cow<'a, str>);
 
 impl Row<'_> {
-    fn new(line: &str) -> Row<'_> {
-        let is_row = line.contains(';') && line.contains(|c: char| c.is_ascii_digit());
-        Row(match is_row && line.contains(',') {
-            true => line.replace(',', ".").into(),
-            false => line.into(),
-        })
+    /// Line `at`.
+    ///
+    /// # Errors
+    /// Decimal commas beside points.
+    fn new(at: usize, line: &str) -> Result<Row<'_>, RecordError> {
+        if !line.contains(';') || !line.contains(',') {
+            return Ok(Row(line.into()));
+        }
+        refuse_two_signs(at, line)?;
+        let is_row = line.contains(|c: char| c.is_ascii_digit());
+        Ok(Row(if is_row { line.replace(',', ".").into() } else { line.into() }))
     }
 
     fn has_commas(&self) -> bool {

@@ -40,8 +40,7 @@ impl Table {
             if line.is_empty() || line.starts_with(COMMENT) {
                 continue;
             }
-            super::refuse_two_signs(at, line)?;
-            let row = Row::new(line);
+            let row = Row::new(at, line)?;
             let fields = row.fields();
             let Some(numbers) = super::numbers(&fields) else {
                 return Err(RecordError::line(at, "this is not a number"));

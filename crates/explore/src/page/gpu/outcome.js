@@ -101,9 +101,11 @@ export const DOTTED = 4;
 
 // The marks over an outcome's colour; `friction` is the contact's coefficient, where one is given.
 export function marksOf(outcome, friction) {
-  const beyond = outcome.min_contact < 0 || outcome.friction_demand > friction;
+  const unresolved = outcome.outcome === 'unresolved';
+  const losesContact = outcome.min_contact < 0 || (outcome.min_contact <= 0 && !unresolved);
+  const beyond = losesContact || outcome.friction_demand > friction;
   const dotted = outcome.outcome === 'overturned_right' && outcome.impacts > 0;
-  return (beyond ? HATCHED : 0) | (outcome.outcome === 'unresolved' ? CROSSED : 0) | (dotted ? DOTTED : 0);
+  return (beyond ? HATCHED : 0) | (unresolved ? CROSSED : 0) | (dotted ? DOTTED : 0);
 }
 
 // A column's value as a number: a code, a count.

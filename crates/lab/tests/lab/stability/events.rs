@@ -323,7 +323,7 @@ fn both_uplift_inequalities_at_once() {
                 "{:?}",
                 grid.case(index)
             );
-            tensile += usize::from(cell.min_contact < 0.0);
+            tensile += usize::from(cell.loses_contact());
         }
     }
     say(&format!(
