@@ -1,14 +1,10 @@
 //! Files that are dropped on the page: records, or a suite of them.
 
-use axum::body::Bytes;
 use axum::extract::{FromRequest, Multipart, Request};
 
 use super::refused::Refused;
 use super::session::Session;
-use super::suites::is_of_a_suite;
-
-/// A file: its name and its contents.
-pub type File = (String, Bytes);
+use super::suites::{File, is_of_a_suite};
 
 /// The files of a request: names with contents.
 ///

@@ -6,10 +6,10 @@ use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
+use axum::body::Bytes;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-use super::dropped::File;
 use super::records::plain_name;
 use super::refused::Refused;
 use super::room::{Room, Taken};
@@ -19,6 +19,9 @@ use topple_studies::suites::read::{Suite, is_list};
 const MOST: usize = 16;
 /// A suite that is not asked for is let go from memory after this time.
 const UNUSED: Duration = Duration::from_secs(60);
+
+/// A file that was dropped: its name and its contents.
+pub type File = (String, Bytes);
 
 /// The files of a suite in a folder, which goes with it.
 struct Files {
