@@ -1,6 +1,10 @@
-//! The library's errors as Python's.
+//! The library's errors and warnings as Python's.
 
-use pyo3::exceptions::{PyKeyboardInterrupt, PyOSError, PyRuntimeError, PyValueError};
+use std::ffi::CString;
+
+use pyo3::exceptions::{
+    PyKeyboardInterrupt, PyOSError, PyRuntimeError, PyUserWarning, PyValueError,
+};
 use pyo3::prelude::*;
 use topple::{SceneError, SweepError};
 use topple_studies::SuiteError;
@@ -39,4 +43,10 @@ pub fn of_sweep(error: SweepError) -> PyErr {
         }
         _ => PyOSError::new_err(error.to_string()),
     }
+}
+
+/// Warns of what may be wrong though the call goes on.
+pub fn warn(py: Python<'_>, text: impl std::fmt::Display) -> PyResult<()> {
+    let text = CString::new(text.to_string())?;
+    PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, 1)
 }

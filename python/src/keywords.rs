@@ -1,9 +1,8 @@
 //! From keywords to a scene and to how it is run.
 
-use std::ffi::CString;
 use std::path::{Path, PathBuf};
 
-use pyo3::exceptions::{PyUserWarning, PyValueError};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyBool, PyByteArray, PyBytes, PyDict, PyType};
@@ -14,12 +13,14 @@ use topple::scene::keys;
 use topple::scene::parameters::Section;
 use topple::scene::path_text::PathText;
 use topple::scene::record::RecordHints;
-use topple::scene::record::{Baseline, Pair, Provenance, Record, Stated, joined, synthetic};
+use topple::scene::record::{
+    Baseline, Pair, Provenance, Record, Stated, joined, missing, synthetic,
+};
 use topple::sweep::settings::VerifySettings;
 use topple::work::threads::{Threads, too_many};
 use topple::{Parameter, RefineSettings, RunSettings, Saving, Scene, SceneBuilder, Values};
 
-use crate::errors::{of_keyword, of_scene};
+use crate::errors::{of_keyword, of_scene, warn};
 
 /// What keywords say.
 pub struct Request {
@@ -59,7 +60,7 @@ const THREADS: &str = "threads";
 /// The keywords that say how a map is refined.
 pub const REFINING: [&str; 2] = ["refine", "smooth"];
 
-/// The key under which arrays of a record come: `(dt, horizontal, vertical, title)` in s and m/s^2.
+/// The key under which arrays of a record come: see [`pair`].
 const MOTION: &str = "motion";
 /// The key under which a scene's file comes: its text, and the folder from which record files are looked for.
 const FILE: &str = "scene";
@@ -159,13 +160,7 @@ impl Request {
 
 /// Warns of what may be wrong with the samples of a record.
 pub fn warn_of_doubts(doubts: &[String]) -> PyResult<()> {
-    Python::attach(|py| {
-        let kind = py.get_type::<PyUserWarning>();
-        doubts.iter().try_for_each(|doubt| {
-            // A text of this library has no zero in it.
-            PyErr::warn(py, &kind, &CString::new(doubt.replace('`', "")).unwrap_or_default(), 1)
-        })
-    })
+    Python::attach(|py| doubts.iter().try_for_each(|doubt| warn(py, doubt.replace('`', ""))))
 }
 
 /// The scene of a result; `shaken`: its motion is given in arrays.
@@ -279,19 +274,21 @@ fn unknown(key: &str, word: &str, error: &serde_json::Error) -> PyErr {
     of_keyword(key, format!("{word} is not known; give {known}"))
 }
 
-/// A component in arrays: its step, its samples, its title; of a trace also the station, the channel's code and when it
+/// A component in arrays: its step, s, its samples, its title; of a trace also the station, the channel's code and when it
 /// begins, s.
 type Component = (f64, Vec<f64>, String, Option<(String, String, f64)>);
 
-/// A motion in arrays; of traces what they state of themselves is judged as what files state is, unless it is forced.
+/// A motion in arrays: its components, the factor from their units to m/s^2, whether it is forced, its baseline. Of traces what
+/// they state of themselves is judged as what files state is, unless it is forced.
 fn pair(value: &Bound<'_, PyAny>) -> PyResult<Pair> {
-    let (horizontal, vertical, force, baseline): (
+    let (horizontal, vertical, factor, force, word): (
         Component,
         Option<Component>,
+        f64,
         bool,
         Option<String>,
     ) = value.extract()?;
-    let baseline = baseline.map(|word| named_one::<Baseline>("baseline", &word)).transpose()?;
+    let baseline = baseline(word)?;
     let record = |key: &str, (dt, samples, title, trace): Component| {
         if !(dt.is_finite() && dt > 0.0) {
             return Err(of_keyword(
@@ -299,13 +296,15 @@ fn pair(value: &Bound<'_, PyAny>) -> PyResult<Pair> {
                 format!("{dt} is no time between samples; give seconds above 0"),
             ));
         }
+        let doubts = missing::told(&samples).into_iter().collect();
+        let samples: Vec<f64> = samples.iter().map(|sample| factor * sample).collect();
         if samples.len() < 2 || samples.iter().any(|sample| !sample.is_finite()) {
             return Err(of_keyword(key, "give two samples at least, all of them finite"));
         }
         let stated =
             trace.map(|(station, channel, start)| Stated::of_trace(&station, &channel, start));
         let stated = stated.unwrap_or_default();
-        Ok(Record { title, dt, samples, stated, ..Record::default() }.on_baseline(baseline))
+        Ok(Record { title, dt, samples, stated, doubts, ..Record::default() }.on_baseline(baseline))
     };
     let horizontal = record("horizontal", horizontal)?;
     let vertical = vertical.map(|samples| record("vertical", samples)).transpose()?;
@@ -473,6 +472,11 @@ fn brief(value: &Bound<'_, PyAny>) -> String {
 
 /// Letters of a value that is told.
 const BRIEF: usize = 40;
+
+/// What is subtracted from the velocities of a motion.
+pub fn baseline(word: Option<String>) -> PyResult<Option<Baseline>> {
+    word.map(|word| named_one("baseline", &word)).transpose()
+}
 
 /// A word of a list that the library knows.
 pub fn named_one<T: serde::de::DeserializeOwned>(key: &str, text: &str) -> PyResult<T> {

@@ -1,13 +1,12 @@
 //! Reports of runs of the command.
 
-use std::ffi::CString;
 use std::path::PathBuf;
 
-use pyo3::exceptions::{PyOSError, PyRuntimeError, PyUserWarning};
+use pyo3::exceptions::{PyOSError, PyRuntimeError};
 use pyo3::prelude::*;
 use topple_report::ReportError;
 
-use crate::errors::of_keyword;
+use crate::errors::{of_keyword, warn};
 
 /// Writes the report of runs, as `topple report` does.
 #[pyfunction]
@@ -23,11 +22,5 @@ pub fn report(
         ReportError::Write(error) => PyOSError::new_err(error.to_string()),
         ReportError::Figure(error) => PyRuntimeError::new_err(error.to_string()),
     })?;
-    match written {
-        Some(problem) => {
-            let kind = py.get_type::<PyUserWarning>();
-            PyErr::warn(py, &kind, &CString::new(problem.to_string())?, 1)
-        }
-        None => Ok(()),
-    }
+    written.map_or(Ok(()), |problem| warn(py, problem))
 }

@@ -228,5 +228,5 @@ def test_an_offset_is_warned_of_and_a_line_takes_it_away(plain):
 def test_codes_of_missing_samples_are_warned_of():
     ground = GROUND.copy()
     ground[300] = -999.0
-    with pytest.warns(UserWarning, match="horizontal: sample 300 is exactly -999"):
+    with pytest.warns(UserWarning, match="horizontal: 1 sample is exactly -999, number 301 first"):
         topple.seismic(**{**SHAKEN, "units": "cm/s2"}, horizontal=ground)

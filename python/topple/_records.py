@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numbers
 import os
-import warnings
 from decimal import Decimal
 from pathlib import Path
 from typing import Any, Mapping
@@ -13,8 +12,6 @@ import numpy as np
 
 from ._help import parameters
 
-#: Values that stand for a missing sample in many files, with either sign.
-_MISSING = (999.0, 9999.0, 99999.0, 999.9, 999.99, 9999.9, 9999.99, 99999.9)
 _UNITS = {"g": 9.81, "m/s2": 1.0, "cm/s2": 0.01, "gal": 0.01}
 
 
@@ -63,10 +60,6 @@ def _checked(key: str, record: Any) -> np.ndarray:
     wrong = np.flatnonzero(~np.isfinite(samples))
     if wrong.size:
         raise ValueError(f"{key}: sample {wrong[0]} is no finite number")
-    missing = np.flatnonzero(np.isin(np.abs(samples), _MISSING))
-    if missing.size:
-        code = samples[missing[0]]
-        warnings.warn(f"{key}: sample {missing[0]} is exactly {code:g}, which stands for a missing sample in many files", stacklevel=2)
     return samples
 
 
@@ -199,8 +192,8 @@ def taken(keywords: Mapping[str, Any]) -> dict[str, Any]:
             raise ValueError(f"dt: the trace's is {step} s, {dt} s is given; leave dt out")
         if key == "horizontal":
             _plausible(keywords, scale * float(np.abs(samples).max(initial=0.0)), own if units is None else units)
-        components.append((float(dt) if step is None else step, (scale * samples).tolist(), title, origin))
-    keywords["motion"] = (*components, bool(keywords.get("force")), keywords.get("baseline"))
+        components.append((float(dt) if step is None else step, samples.tolist(), title, origin))
+    keywords["motion"] = (*components, scale, bool(keywords.get("force")), keywords.get("baseline"))
     del keywords["horizontal"]
     keywords.pop("vertical", None)
     return keywords

@@ -27,7 +27,7 @@ use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, RunOptions, flag_error};
 use super::results_directory::{Place, picture_files};
 use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
-use super::words::{Reporter, with_flags};
+use super::words::{Reporter, counted, with_flags};
 use super::{InputError, device_remarks, examples, further, suite, words};
 
 /// Compare the devices of a list under every motion of a suite, side by side.
@@ -175,8 +175,8 @@ impl CompareCommand {
         };
         let mut out = place.open()?;
         let mut compared = Comparison::of(swept, settings);
-        let devices = suite::counted(compared.devices.len(), "device");
-        let motions = suite::counted(compared.records(), "motion");
+        let devices = counted(compared.devices.len(), "device");
+        let motions = counted(compared.records(), "motion");
         let svg = picture::draw(&compared, &format!("{devices} under {motions}"), print);
         let mut files = vec![TABLE.to_string()];
         files.extend(svg.iter().flat_map(|_| picture_files(PICTURE)));

@@ -8,8 +8,8 @@ use topple_studies::suites::intensity::Intensity;
 
 use super::envelope::{between, digits};
 use super::fragility_words as told;
-use super::words::Reporter;
-use super::{fragility_rates, suite, words};
+use super::words::{Reporter, counted};
+use super::{fragility_rates, words};
 
 /// Says what became of each device.
 pub fn tell(compared: &Comparison, im: Intensity, say: &Reporter) {
@@ -37,7 +37,7 @@ const NAMED: usize = 12;
 fn kept(compared: &Comparison) -> String {
     let keeps = compared.rows().filter(|(_, device)| device.cell.feasible);
     let names: Vec<&str> = keeps.map(|(name, _)| name).collect();
-    let of = suite::counted(compared.devices.len(), "device");
+    let of = counted(compared.devices.len(), "device");
     match names.len() {
         0 => format!("none of {of} keeps all limits"),
         1 => format!("1 of {of} keeps all limits: {}", names[0]),
@@ -69,7 +69,7 @@ pub fn warn_of_model(compared: &Comparison) {
             "{}: {} of {}",
             words::TENSILE,
             tensile.join(", "),
-            suite::counted(compared.records(), "motion")
+            counted(compared.records(), "motion")
         ));
     }
     for ((name, device), of) in compared.rows().zip(&compared.settings.devices) {

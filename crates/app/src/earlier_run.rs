@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use serde::Deserialize;
-use serde::de::{DeserializeOwned, IgnoredAny};
+use serde::de::IgnoredAny;
 use serde_json::{Map, Value};
 use topple::results::earlier::{Kind, RUN};
 use topple::results::store::IDENTITY;
@@ -36,10 +36,19 @@ pub struct EarlierRun {
     pub besides: Besides,
 }
 
+/// Of results what says that they are not run again.
+#[derive(Clone, Copy, Default, Deserialize)]
+struct Of {
+    kind: Option<Kind>,
+    /// Columns that leaves have in the place of a grid.
+    counts: Option<IgnoredAny>,
+}
+
 /// Of run.json, or of what a map's arrays say of themselves, what makes the run again.
 #[derive(Deserialize)]
 struct Written {
-    kind: Option<Kind>,
+    #[serde(flatten)]
+    of: Of,
     scene: Scene,
     record: Option<Provenance>,
     backend: Option<String>,
@@ -88,8 +97,8 @@ pub fn at(path: &Path) -> Option<Result<EarlierRun, String>> {
     let folder = if inside { path } else { path.parent().unwrap_or(Path::new("")) };
     let read = if is_zarr {
         text_of(&path.join(zarr::DOCUMENT)).and_then(|text| {
-            let Group { attributes } = parsed(&text)?;
-            parsed::<Written>(&Value::Object(zarr::nested(attributes)).to_string())
+            let Group { attributes } = serde_json::from_str(&text).map_err(unread)?;
+            parsed(&Value::Object(zarr::nested(attributes)).to_string())
         })
     } else if path.is_dir() {
         let inside = path.join(RUN);
@@ -138,27 +147,25 @@ fn text_of(path: &Path) -> Result<String, String> {
     text.map_err(|error| format!("{error}; give results that can be read"))
 }
 
-fn parsed<T: DeserializeOwned>(text: &str) -> Result<T, String> {
-    /// Of results what says that they are not run again.
-    #[derive(Deserialize)]
-    struct Of {
-        kind: Option<Kind>,
-        /// Columns that leaves have in the place of a grid.
-        counts: Option<IgnoredAny>,
-    }
-    if let Ok(Of { kind, counts }) = serde_json::from_str(text) {
-        if let Some(problem) = kind.and_then(not_of_a_scene) {
-            return Err(problem.into());
-        }
-        if counts.is_some() {
-            return Err(format!("leaves of a refined map; give the {RUN} beside them"));
-        }
-    }
-    let problem = |error: serde_json::Error| {
-        let error = shown::line(&error.to_string());
-        format!("no results of this version of topple ({error}); give a scene")
+fn parsed(text: &str) -> Result<Written, String> {
+    let written: Result<Written, _> = serde_json::from_str(text);
+    let of = match &written {
+        Ok(written) => written.of,
+        // What is not run again may lack a scene.
+        Err(_) => serde_json::from_str(text).unwrap_or_default(),
     };
-    serde_json::from_str(text).map_err(problem)
+    if let Some(problem) = of.kind.and_then(not_of_a_scene) {
+        return Err(problem.into());
+    }
+    if of.counts.is_some() {
+        return Err(format!("leaves of a refined map; give the {RUN} beside them"));
+    }
+    written.map_err(unread)
+}
+
+fn unread(error: serde_json::Error) -> String {
+    let error = shown::line(&error.to_string());
+    format!("no results of this version of topple ({error}); give a scene")
 }
 
 /// Why results of a kind are not run again by `topple run`; none where they are.
@@ -186,15 +193,15 @@ impl Written {
                 numbers.set(parameter, values.clone());
             }
             self.scene.numbers = numbers;
-        }
-        // A map's arrays have the names of the files alone, run.json beside them has their places.
-        if let Some(record) = &self.record
-            && let Ok(text) = bounded::text(&folder.join(RUN), bounded::DOCUMENT)
-            && let Ok(beside) = serde_json::from_str::<Written>(&text)
-            && let Some(there) = beside.record
-            && there.without_folders() == record.without_folders()
-        {
-            self.record = Some(there);
+            // A map's arrays have the names of the files alone, run.json beside them has their places.
+            if let Some(record) = &self.record
+                && let Ok(text) = bounded::text(&folder.join(RUN), bounded::DOCUMENT)
+                && let Ok(beside) = serde_json::from_str::<Written>(&text)
+                && let Some(there) = beside.record
+                && there.without_folders() == record.without_folders()
+            {
+                self.record = Some(there);
+            }
         }
         let record = match (&self.record, self.scene.excitation.record()) {
             (Some(record), _) => Some(RecordText::found(record, &[folder, Path::new("")])?),
@@ -206,7 +213,7 @@ impl Written {
         };
         let scene = SceneBuilder::again(&self.scene, record).check();
         let scene = scene.map_err(|error| error.to_string())?;
-        let kind = self.kind.unwrap_or(Kind::Map);
+        let kind = self.of.kind.unwrap_or(Kind::Map);
         let Written { method, backend, uncertainty, refined, sharpness, files, .. } = self;
         let (pictures, more_columns) = (self.pictures, self.more_columns);
         let besides = Besides {

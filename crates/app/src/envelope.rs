@@ -23,9 +23,8 @@ use super::named::best;
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, RunOptions, flag_error};
 use super::results_directory::{Place, picture_files};
-use super::suite::counted;
 use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
-use super::words::{self, Reporter};
+use super::words::{self, Reporter, counted};
 use super::{InputError, examples, further, suite};
 
 /// Sweep a scene under every motion of a suite: find the cells in which the block stands within given strokes.

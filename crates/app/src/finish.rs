@@ -20,9 +20,9 @@ use topple_studies::Sharpness;
 use super::InputError;
 use super::beside;
 use super::errors::{not_verified, sweep_error};
-use super::map_file::{Extras, MapFile};
+use super::map_file::MapFile;
 use super::map_files;
-use super::options::Talk;
+use super::options::{MapParts, Talk};
 use super::picture_flags::PictureFlags;
 use super::print::print_line;
 use super::progress::Screen;
@@ -42,10 +42,8 @@ pub struct Finish<'a> {
     pub estimate: Duration,
     /// A checksum of what is run.
     pub tag: Option<u32>,
-    /// How sharp the boundaries are is requested.
-    pub sharpness: bool,
-    /// Its spectra are asked for.
-    pub spectrum: bool,
+    /// What it has beside its outcomes.
+    pub parts: &'a MapParts,
     /// How its pictures are printed.
     pub pictures: &'a PictureFlags,
     /// What is printed besides.
@@ -84,7 +82,7 @@ pub fn write(
     if let Some(beyond) = tally.beyond_radius.filter(|beyond| *beyond > 0) {
         words::warn_of_radii(beyond);
     }
-    let sharpness = match to.sharpness {
+    let sharpness = match to.parts.sharpness {
         true => {
             Some(Sharpness::of_map(&map, screen).map_err(|error| sweep_error(map.stopped(error)))?)
         }
@@ -158,8 +156,7 @@ fn files<'a>(
     };
     let drawn = slices.first().map_or((0, 0), |slice| slice.map.grid.shape());
     let print = to.pictures.print().map_err(InputError)?;
-    let extras = Extras { leaves: to.refined.is_some(), spectrum: to.spectrum };
-    let names = map_files::places((&map.plan.scene, &map.grid, asked), files, extras);
+    let names = map_files::places((&map.plan.scene, &map.grid, asked), files, to.parts);
     results.begin(names, say)?;
     let (out, whole) = (&results.out, &*map);
     let (pictures, tables) = rayon::join(
@@ -173,7 +170,7 @@ fn files<'a>(
     tables?;
     took.drawing = pictures.1.as_secs_f64();
     let pictures = pictures.0?;
-    if let ([whole], true) = (&slices[..], to.spectrum) {
+    if let ([whole], true) = (&slices[..], to.parts.spectrum) {
         map_files::spectra(out, &whole.map, print)?;
     }
     if let Some(refined) = to.refined {

@@ -16,8 +16,7 @@ use topple_studies::suites::resample::{FEWEST_EVENTS, Groups, Resample};
 use topple_studies::uncertain::{Explained, Index};
 
 use super::fragility_rates as rates;
-use super::suite::counted;
-use super::words::{self, Reporter};
+use super::words::{self, Reporter, counted};
 
 /// Most cells that are told one by one.
 const TOLD: usize = 1;

@@ -41,15 +41,6 @@ impl MapFile {
 /// Name of the table of a map's spectra.
 pub const SPECTRUM: &str = "spectrum.csv";
 
-/// What lies beside the files and the pictures of a map.
-#[derive(Debug, Clone, Copy)]
-pub struct Extras {
-    /// The leaves of a refined one.
-    pub leaves: bool,
-    /// Its spectra.
-    pub spectrum: bool,
-}
-
 /// What a map has besides its cells, or a history besides its motion: what an earlier one had.
 #[derive(Debug, Clone, Default)]
 pub struct Besides {

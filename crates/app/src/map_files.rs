@@ -20,7 +20,8 @@ use topple_pictures::map::slices::{MOST, Slice};
 use topple_pictures::map::spectrum::Spectrum;
 use topple_pictures::map::{self, Map};
 
-use super::map_file::{Extras, MapFile, SPECTRUM};
+use super::map_file::{MapFile, SPECTRUM};
+use super::options::MapParts;
 use super::progress::Screen;
 use super::refined;
 use super::results_directory::{picture_files, write_picture};
@@ -36,15 +37,15 @@ const SPECTRA: &str = "spectrum";
 pub fn places(
     (scene, grid, asked): (&Scene, &Grid, ColumnSet),
     files: &[MapFile],
-    extras: Extras,
+    parts: &MapParts,
 ) -> Vec<String> {
     let tables = files.iter().map(|file| file.name().to_string());
     let boundaries = has_boundaries(scene, grid).then(|| BOUNDARIES.to_string());
     let pictures =
         names_of_pictures(scene, grid, asked).into_iter().flat_map(|name| picture_files(&name));
-    let of_leaves = if extras.leaves { refined::names(files) } else { Vec::new() };
+    let of_leaves = if parts.refine.is_some() { refined::names(files) } else { Vec::new() };
     let spectra =
-        extras.spectrum.then(|| [SPECTRUM.to_string()].into_iter().chain(picture_files(SPECTRA)));
+        parts.spectrum.then(|| [SPECTRUM.to_string()].into_iter().chain(picture_files(SPECTRA)));
     tables
         .chain(boundaries)
         .chain(pictures)

@@ -5,7 +5,6 @@ use std::time::Duration;
 
 use topple::backend::ready::Backend;
 use topple::backend::request::BackendRequest;
-use topple::refine::run as refine;
 use topple::results::earlier::Kind;
 use topple::results::size::FileSizes;
 use topple::scene::Grid;
@@ -17,7 +16,7 @@ use topple_pictures::map::thinned::thinned;
 use super::disk::{self, size};
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
-use super::map_file::{Extras, MapFile};
+use super::map_file::MapFile;
 use super::options::{MapParts, Talk, Verify, flag_error};
 use super::picture_flags::PictureFlags;
 use super::progress::{Bar, Screen};
@@ -66,30 +65,26 @@ impl MergeCommand {
         bar.finish();
         let shards = joined.map_err(|error| InputError(with_flags(&error.to_string())))?;
         let place = Place::of(&self.out, Kind::Map)?;
-        let files = |cells: usize| match self.files.is_empty() {
-            true => MapFile::of(cells),
-            false => self.files.clone(),
+        let grid = &Grid::of(&shards.content.scene);
+        let files = match self.files.is_empty() {
+            true => &MapFile::of(grid.len()),
+            false => &self.files,
         };
-        let grid = Grid::of(&shards.content.scene);
-        self.parts.check(&grid)?;
-        let extras = Extras { leaves: self.parts.refine.is_some(), spectrum: self.parts.spectrum };
-        let content = (&shards.content.scene, &grid, shards.content.method.columns);
-        let names = map_files::places(content, &files(grid.len()), extras);
+        self.parts.check(&shards.content.scene)?;
+        let content = (&shards.content.scene, grid, shards.content.method.columns);
+        let names = map_files::places(content, files, &self.parts);
         place.refuse_foreign(&names)?;
         let mut results = place.open()?;
         // Nobody else is to write there, and a run of something else that was interrupted there is not to be
         // lost.
         let store = shards.store(&self.out).map_err(sweep_error)?;
         let mut map = MapSweep::of_shards(shards, Some(store)).map_err(sweep_error)?;
-        let grid = map.grid.clone();
-        let grid = &grid;
         Verify::settings(self.verify).check(grid.len()).map_err(|error| flag_error(&error))?;
-        let files = files(grid.len());
         let (slice, _) = grid.slice(0);
         let sample =
             thinned(&map.plan.scene, (&slice, 0), (&*map.outcomes, map.method.columns), SAMPLE)?;
         let sizes = FileSizes::of(&sample.grid, &sample, map.source(), grid.len())?;
-        let bytes = disk::of_files(&sizes, &files);
+        let bytes = disk::of_files(&sizes, files);
         disk::fits(bytes, &self.out)?;
         let say = Reporter::unless(self.quiet || self.talk.json);
         words::scene(&say, &map.plan.scene, grid);
@@ -99,9 +94,6 @@ impl MergeCommand {
         }
         say.line("takes", format!("{} of disk", size(bytes)));
         let screen = Screen::new(self.quiet);
-        if let Some(levels) = self.parts.refine {
-            refine::check(&map.plan.scene, levels).map_err(|error| flag_error(&error))?;
-        }
         device_remarks::warn(&map.plan.scene);
         words::warn_of_cut_pulses(grid);
         words::warn_of_lossless_impacts(&map.plan, grid);
@@ -116,21 +108,13 @@ impl MergeCommand {
                 let repaired = map.repair(&opened.backends, MEMORY, &screen);
                 repaired.map_err(|error| sweep_error(map.stopped(error)))?;
             }
-            refined = super::run::refine(
-                &map,
-                &opened.backends,
-                (self.parts.refine, self.parts.smooth),
-                &screen,
-            )?;
+            refined = super::run::refine(&map, &opened.backends, &self.parts, &screen)?;
         }
         let (verify, estimate) = (Verify::settings(self.verify), Duration::ZERO);
-        let files = &files[..];
-        let (tag, sharpness, talk) = (None, self.parts.sharpness, self.talk);
-        let refined = refined.as_ref();
-        let pictures = &self.pictures;
-        let spectrum = self.parts.spectrum;
-        let to =
-            Finish { files, refined, verify, estimate, tag, sharpness, spectrum, pictures, talk };
+        let (refined, tag) = (refined.as_ref(), None);
+        let MergeCommand { parts, pictures, talk, .. } = self;
+        let talk = *talk;
+        let to = Finish { files, refined, verify, estimate, tag, parts, pictures, talk };
         finish::write(map, &mut results, &to, &say, &screen)
     }
 }

@@ -100,16 +100,17 @@ pub struct MapParts {
 }
 
 impl MapParts {
-    /// Refuses spectra of a grid that has none.
+    /// Refuses what the map of a scene cannot have.
     ///
     /// # Errors
     /// The flag, and what to do.
-    pub fn check(&self, grid: &Grid) -> Result<(), InputError> {
-        if self.spectrum && !spectrum::has(grid) {
+    pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
+        if self.spectrum && !spectrum::has(&Grid::of(scene)) {
             let problem = "--spectrum: spectra are of a map of two axes, the second of them how strong the shaking is (--a-h, --scale), above 0; give these, or leave it out";
             return Err(InputError(problem.into()));
         }
-        Ok(())
+        let refined = self.refine.map_or(Ok(()), |levels| refine::check(scene, levels));
+        refined.map_err(|error| flag_error(&error))
     }
 }
 
@@ -408,10 +409,7 @@ impl MapOptions {
         self.method().check_columns(scene).map_err(|error| flag_error(&error))?;
         let verify = Verify::settings(self.verify);
         verify.check(Grid::of(scene).len()).map_err(|error| flag_error(&error))?;
-        self.parts.check(&Grid::of(scene))?;
-        if let Some(levels) = self.parts.refine {
-            refine::check(scene, levels).map_err(|error| flag_error(&error))?;
-        }
+        self.parts.check(scene)?;
         self.uncertain.check(scene, self.run.force).map_err(|error| flag_error(&error))
     }
 

@@ -5,8 +5,7 @@ use std::path::PathBuf;
 use topple_report::ReportError;
 
 use super::picture_flags;
-use super::suite::counted;
-use super::words::{self, Reporter};
+use super::words::{self, Reporter, counted};
 use super::{InputError, examples};
 
 /// Write a report of one or several runs for those who decide, as one HTML file or a PDF.

@@ -14,8 +14,7 @@ use topple::sweep::map::MapSweep;
 
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
-use super::map_file::Extras;
-use super::options::{MapOptions, Verify};
+use super::options::{MapOptions, MapParts, Verify};
 use super::progress::Screen;
 use super::results_directory::Place;
 use super::words::{self, Reporter};
@@ -104,28 +103,10 @@ pub fn run_map(scene: &Scene, options: &MapOptions) -> anyhow::Result<()> {
     match ended {
         SweepResult::Map(map) => {
             let (verify, estimate) = (Verify::settings(options.verify), sampling);
-            let files = &files[..];
-            let (sharpness, spectrum, talk) =
-                (options.parts.sharpness, options.parts.spectrum, options.talk);
-            let refined = refine(
-                &map,
-                &opened.backends,
-                (options.parts.refine, options.parts.smooth),
-                &screen,
-            )?;
-            let refined = refined.as_ref();
-            let pictures = &options.run.pictures;
-            let to = Finish {
-                files,
-                refined,
-                verify,
-                estimate,
-                tag,
-                sharpness,
-                spectrum,
-                pictures,
-                talk,
-            };
+            let (parts, pictures, talk) = (&options.parts, &options.run.pictures, options.talk);
+            let refined = refine(&map, &opened.backends, parts, &screen)?;
+            let (files, refined) = (&files[..], refined.as_ref());
+            let to = Finish { files, refined, verify, estimate, tag, parts, pictures, talk };
             finish::write(*map, &mut results, &to, &say, &screen)
         }
         SweepResult::Shard(shard) => {
@@ -146,10 +127,8 @@ pub fn place(scene: &Scene, options: &MapOptions) -> Result<Place, InputError> {
         Kind::Probability => probability::names(),
         _ => {
             let grid = Grid::of(scene);
-            let extras =
-                Extras { leaves: options.parts.refine.is_some(), spectrum: options.parts.spectrum };
             let content = (scene, &grid, options.method().columns);
-            map_files::places(content, &options.files(&grid), extras)
+            map_files::places(content, &options.files(&grid), &options.parts)
         }
     };
     if options.tile.is_none() {
@@ -158,16 +137,16 @@ pub fn place(scene: &Scene, options: &MapOptions) -> Result<Place, InputError> {
     Ok(place)
 }
 
-/// The map refined in a given number of levels, where that is requested.
+/// The map refined, where that is requested.
 pub fn refine(
     map: &MapSweep,
     backends: &[Backend],
-    (levels, smooth): (Option<u32>, Option<f64>),
+    parts: &MapParts,
     screen: &Screen,
 ) -> anyhow::Result<Option<RefinedMap>> {
-    let Some(levels) = levels else { return Ok(None) };
+    let Some(levels) = parts.refine else { return Ok(None) };
     let mut settings = RefineSettings::levels(levels);
-    settings.smooth = smooth;
+    settings.smooth = parts.smooth;
     let refined = refine::refine_on(map, backends, &settings, screen);
     let refined = refined.map_err(|error| sweep_error(map.stopped(error)))?;
     screen.clear();

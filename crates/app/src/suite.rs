@@ -19,7 +19,7 @@ use super::inputs::PUT_BACK;
 use super::manifest::Computed;
 use super::picture_flags::PictureFlags;
 use super::results_directory::Place;
-use super::words::{self, Reporter, with_columns};
+use super::words::{self, Reporter, counted, with_columns};
 use super::written::one_of;
 use super::{InputError, examples};
 
@@ -260,11 +260,6 @@ fn tell(suite: &Suite, say: &Reporter) {
     if suite.unused.len() > SHOWN {
         say.line("", format!("and {} more, in run.json", suite.unused.len() - SHOWN));
     }
-}
-
-/// So many things: `1 motion`, `2 motions`.
-pub fn counted(count: usize, thing: &str) -> String {
-    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
 }
 
 /// A suite's error in terms of the command line: all of it is what was given.

@@ -28,7 +28,7 @@ use super::picture_flags::PictureFlags;
 use super::progress::Screen;
 use super::results_directory::{self, Place};
 use super::suite::Source;
-use super::words::Reporter;
+use super::words::{Reporter, counted};
 use super::written::one_of;
 use super::{InputError, device_remarks, interrupt, suite, words};
 
@@ -352,7 +352,7 @@ fn size(job: &SuiteJob, times: Times, levels: usize) -> String {
     let Times { count, what } = times;
     // A shard has a part of them.
     let motions = job.motions().len().div_ceil(count.max(1));
-    let mut text = format!("{cells} under {}", suite::counted(motions, "motion"));
+    let mut text = format!("{cells} under {}", counted(motions, "motion"));
     if count > 1 {
         text += &format!(" with {count} {what}");
     }

@@ -128,6 +128,11 @@ fn in_place_of_keys(text: &str, other: impl Fn(&str) -> Option<String>) -> Strin
     pieces.collect()
 }
 
+/// So many things: `1 motion`, `2 motions`.
+pub fn counted(count: usize, thing: &str) -> String {
+    format!("{count} {thing}{}", if count == 1 { "" } else { "s" })
+}
+
 /// The points of a grid's axes: `400 x 400`.
 pub fn sides(grid: &Grid) -> String {
     let counts: Vec<String> = grid.axes().iter().map(|axis| axis.count().to_string()).collect();
@@ -304,7 +309,7 @@ fn backend(backend: &Backend, precision: &str) -> String {
         }
         Backend::Cpu => {
             let threads = threads();
-            format!("cpu, {precision}, {}", crate::suite::counted(threads, "thread"))
+            format!("cpu, {precision}, {}", counted(threads, "thread"))
         }
         Backend::Reference => "reference, f64, adaptive".into(),
     }

@@ -6,7 +6,6 @@ use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use axum::Router;
-use axum::extract::DefaultBodyLimit;
 
 use super::ending;
 use super::guard::{NoToken, Token};
@@ -39,8 +38,6 @@ pub struct Server {
     token: Token,
 }
 
-/// Bytes of a request: a suite's files at most.
-const LARGEST: usize = 512 << 20;
 /// How often it is asked whether the server is to end.
 const ASKED: Duration = Duration::from_millis(50);
 /// Time for what still runs when the server ends.
@@ -71,8 +68,7 @@ impl Server {
         let session = Arc::new(session);
         let Server { listener, at, token } = self;
         let shared = Arc::new(Shared { token, at, session: Arc::clone(&session) });
-        let router =
-            Router::new().fallback(answer).layer(DefaultBodyLimit::max(LARGEST)).with_state(shared);
+        let router = Router::new().fallback(answer).with_state(shared);
         let runtime = tokio::runtime::Builder::new_multi_thread()
             .worker_threads(2)
             .enable_io()

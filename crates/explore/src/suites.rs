@@ -6,10 +6,10 @@ use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
+use axum::body::Bytes;
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-use super::dropped::File;
 use super::records::plain_name;
 use super::refused::Refused;
 use super::room::{Room, Taken};
@@ -19,6 +19,9 @@ use topple_studies::suites::read::{Suite, is_list};
 const MOST: usize = 16;
 /// A suite that is not asked for is let go from memory after this time.
 const UNUSED: Duration = Duration::from_secs(60);
+
+/// A file that was dropped: its name and its contents.
+pub type File = (String, Bytes);
 
 /// The files of a suite in a folder, which goes with it.
 struct Files {
@@ -75,24 +78,19 @@ fn let_go(kept: &VecDeque<Kept>, unused: Duration) {
 /// folder of its own, whose name no file has.
 fn places(files: &[File]) -> Vec<PathBuf> {
     let names: Vec<String> = files.iter().map(|(name, _)| plain_name(name)).collect();
-    let mut taken: HashSet<String> = names.iter().map(|name| name.to_lowercase()).collect();
+    let taken: HashSet<String> = names.iter().map(|name| name.to_lowercase()).collect();
     let mut before: HashMap<String, usize> = HashMap::new();
-    let mut folders = Vec::new();
     let place = |name: &String| {
         let number = before.entry(name.to_lowercase()).or_default();
         *number += 1;
-        // The first of each name lies in the folder itself, the second of each in the first of these folders.
-        while folders.len() + 1 < *number {
-            let mut folder = format!("{}", folders.len() + 2);
-            while !taken.insert(folder.clone()) {
-                folder.push('_');
-            }
-            folders.push(folder);
+        if *number == 1 {
+            return PathBuf::from(name);
         }
-        match *number {
-            1 => PathBuf::from(name),
-            number => Path::new(&folders[number - 2]).join(name),
+        let mut folder = number.to_string();
+        while taken.contains(&folder) {
+            folder.push('_');
         }
+        Path::new(&folder).join(name)
     };
     names.iter().map(place).collect()
 }

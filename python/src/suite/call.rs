@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 use serde_json::Value;
-use topple::scene::record::Baseline;
 use topple::work::threads::Threads;
 use topple::{Saving, SceneError, StoreError, SweepError};
 use topple_studies::suites::read::Reading;
@@ -13,7 +12,7 @@ use topple_studies::suites::saved;
 use topple_studies::{Suite, SuiteJob, SuiteRequest, SuiteSweep};
 
 use crate::errors::{of_keyword, of_scene, of_suite, of_sweep};
-use crate::keywords::{Request, given, named_one, taken, warn_of_doubts};
+use crate::keywords::{Request, baseline, given, taken, warn_of_doubts};
 use crate::watch::{self, Watch};
 
 /// The keywords of each such call that are not those of a scene.
@@ -31,12 +30,6 @@ pub struct Call<'a, 'py> {
     threads: Threads,
     resume: bool,
     shard: bool,
-}
-
-/// What is subtracted from the velocities of the motions.
-fn baseline(keywords: &Bound<'_, PyDict>) -> PyResult<Option<Baseline>> {
-    let word: Option<String> = given(keywords, "baseline", "none or line")?;
-    word.map(|word| named_one("baseline", &word)).transpose()
 }
 
 impl<'a, 'py> Call<'a, 'py> {
@@ -82,7 +75,8 @@ impl<'a, 'py> Call<'a, 'py> {
         request.settings.shard = saving.and_then(|saving| saving.shard);
         request.settings.run = settings;
         let shard = request.settings.shard.is_some();
-        let reading = Reading { strict, baseline: baseline(keywords)? };
+        let reading =
+            Reading { strict, baseline: baseline(given(keywords, "baseline", "none or line")?)? };
         let suite = watch::run_unheard(py, move || Suite::read_as(&path, reading))?;
         let suite = suite.map_err(of_suite)?;
         let doubts = suite.motions().flat_map(|(entry, motion)| {

@@ -1,10 +1,8 @@
 //! The keywords of a call, read by what they mean under a suite.
 
-use std::ffi::CString;
 use std::io;
 use std::path::PathBuf;
 
-use pyo3::exceptions::PyUserWarning;
 use pyo3::prelude::*;
 use topple::results::column_set::ColumnSet;
 use topple::results::columns::Column;
@@ -16,7 +14,7 @@ use topple_studies::suites::{Resample, columns};
 use topple_studies::{HazardCurve, Intensity, Limits};
 
 use super::call::Call;
-use crate::errors::{of_keyword, of_scene};
+use crate::errors::{of_keyword, of_scene, warn};
 use crate::keywords::{Taken, given, number_of, several, value_of, values};
 
 impl<'py> Call<'_, 'py> {
@@ -112,8 +110,7 @@ impl<'py> Call<'_, 'py> {
         let read = hazard_text::of_bytes(&bytes, im, units?);
         let read = read.map_err(|error| of_keyword("hazard", error))?;
         for doubt in read.doubts(im, "hazard_units") {
-            let kind = self.py.get_type::<PyUserWarning>();
-            PyErr::warn(self.py, &kind, &CString::new(format!("hazard: {doubt}"))?, 1)?;
+            warn(self.py, format!("hazard: {doubt}"))?;
         }
         Ok(Some(read.curve))
     }

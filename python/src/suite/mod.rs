@@ -17,7 +17,7 @@ use topple_studies::suites::read::Reading;
 use topple_studies::suites::table;
 
 use crate::errors::of_suite;
-use crate::keywords::named_one;
+use crate::keywords;
 use crate::watch;
 use described::{described, text};
 
@@ -29,8 +29,7 @@ pub fn suite(
     strict: bool,
     baseline: Option<String>,
 ) -> PyResult<(String, String)> {
-    let baseline = baseline.map(|word| named_one("baseline", &word)).transpose()?;
-    let reading = Reading { strict, baseline };
+    let reading = Reading { strict, baseline: keywords::baseline(baseline)? };
     let suite =
         watch::run_unheard(py, move || Suite::read_as(&path, reading))?.map_err(of_suite)?;
     let unused: BTreeMap<&str, &str> =

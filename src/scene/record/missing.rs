@@ -9,7 +9,7 @@ const CLEAR: f64 = 999.0;
 
 /// What is said of samples that are such values, as a file has them. Where they may be samples, they must differ from those
 /// beside them by more than half of themselves.
-pub(super) fn told(values: &[f64]) -> Option<String> {
+pub fn told(values: &[f64]) -> Option<String> {
     let whole = values.iter().all(|value| value.fract() == 0.0);
     let is_code = |value: f64| CODES.contains(&value.abs());
     let stands_out = |at: usize, value: f64| {

@@ -19,7 +19,7 @@ mod hints;
 pub mod joined;
 pub(crate) mod knet;
 pub(crate) mod lines;
-mod missing;
+pub mod missing;
 pub(crate) mod numbers;
 pub mod oscillator;
 mod other_programs;

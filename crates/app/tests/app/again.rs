@@ -669,9 +669,6 @@ fn the_checksum_of_a_pipe_is_that_of_what_came_through_it() {
         let run = fs::read(place.path().join(name).join("run.json")).unwrap();
         let run: serde_json::Value = serde_json::from_slice(&run).unwrap();
         assert_eq!(run["inputs"]["--hazard"], sha256(curve.as_bytes()), "{name}");
-        // What computed it is told as of a map.
-        assert_eq!(run["backend"], "cpu");
-        assert!(run["adapter"].is_null() && run["threads"].as_u64() > Some(0), "{run}");
         if name == "compared" {
             assert_eq!(run["inputs"]["DEVICES"], sha256(devices.as_bytes()));
         }

@@ -80,7 +80,7 @@ fn a_second_list_replaces_the_files_of_the_first_and_nothing_else() {
     assert!(run_json.contains("another"));
     // A table that no run wrote stays.
     fs::remove_file(out.join("run.json")).unwrap();
-    run("device,t_h,t_v\none,1,0.4\n").failure().code(2);
+    run("device,t_h,t_v\none,1,0.4\n").code(2);
     assert_eq!(fs::read_to_string(out.join("compare.csv")).unwrap(), table);
 }
 

@@ -48,19 +48,17 @@ impl Server {
     /// Drops a record on the page; the status of the answer.
     fn drop_record(&self) -> String {
         let Server { host, token, .. } = self;
-        let samples = "0.5\n".repeat(99);
-        let body = format!(
-            "--cut\r\nContent-Disposition: form-data; name=\"file\"; filename=\"one.txt\"\r\n\r\n{samples}\r\n--cut--\r\n"
-        );
+        let body = crate::explore::dropped("one.txt", &"0.5\n".repeat(99));
         let mut stream = TcpStream::connect(host).unwrap();
         stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
         write!(
             stream,
             "POST /{token}/record HTTP/1.1\r\nHost: {host}\r\nX-Topple: page\r\nConnection: close\r\n\
-             Content-Type: multipart/form-data; boundary=cut\r\nContent-Length: {}\r\n\r\n{body}",
+             Content-Length: {}\r\n\r\n",
             body.len()
         )
         .unwrap();
+        stream.write_all(&body).unwrap();
         let mut answer = String::new();
         stream.read_to_string(&mut answer).unwrap();
         answer.split_whitespace().nth(1).unwrap().into()

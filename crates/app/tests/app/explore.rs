@@ -121,6 +121,13 @@ fn joined(mut rest: &[u8]) -> Vec<u8> {
     }
 }
 
+/// A file as the page sends it.
+pub fn dropped(name: &str, text: &str) -> Vec<u8> {
+    let header = json!([[name, text.len()]]).to_string();
+    let length = (header.len() as u32).to_le_bytes();
+    [&length[..], header.as_bytes(), text.as_bytes()].concat()
+}
+
 fn flat() -> Value {
     json!({
         "object": "1", "eccentricity": "0.2", "t_h": "1.75", "t_v": "0.75",
@@ -479,18 +486,15 @@ fn a_dropped_record_shakes_the_base() {
     let samples: Vec<String> =
         (0..400).map(|k| format!("{}", 4.0 * (f64::from(k) * 0.05).sin())).collect();
     let file = samples.join("\n");
-    let body = format!(
-        "--cut\r\nContent-Disposition: form-data; name=\"file\"; filename=\"a/one.txt\"\r\n\r\n{file}\r\n--cut--\r\n"
-    );
-    let head = format!(
-        "POST /{token}/record HTTP/1.1\r\nHost: {host}\r\nX-Topple: page\r\n\
-         Content-Type: multipart/form-data; boundary=cut\r\n"
-    );
+    let head = format!("POST /{token}/record HTTP/1.1\r\nHost: {host}\r\nX-Topple: page\r\n");
     // A column of numbers tells neither its step nor its units.
-    let told = server.send(&head, body.as_bytes()).json();
+    let body = dropped("a/one.txt", &file);
+    let told = server.send(&head, &body).json();
     assert_eq!(told["needs"], json!(["dt", "units"]), "{told}");
-    let no_record = server.send(&head, body.replace(&file, "no numbers at all").as_bytes());
+    let no_record = server.send(&head, &dropped("a/one.txt", "no numbers at all"));
     assert!(no_record.headers.contains(REFUSED), "{}", no_record.headers);
+    let cut = server.send(&head, &body[..body.len() - 1]);
+    assert!(String::from_utf8_lossy(&cut.body).contains("did not arrive whole"));
     let mut scene = json!({
         "object": "1", "horizontal": "one.txt", "dt": "0.01", "units": "m/s2",
         "t_h": "0.5:4", "t_v": "0.1:2", "x": "t_h", "y": "t_v",

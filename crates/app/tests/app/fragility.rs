@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::common::command::Assert;
-use crate::common::command::Command;
+use crate::common::command::{Assert, Command};
 use approx::assert_relative_eq;
 use tempfile::TempDir;
 use topple::scene::Parameter;
@@ -334,15 +333,21 @@ fn points_are_runs_of_their_numbers() {
     assert!(!out.join("capacities.csv").exists());
 }
 
+/// A fragility of one device under a block of which a number is not known: its results, and what it says.
+fn of_unknown(vary: &str, levels: &str, samples: &str) -> (TempDir, String) {
+    let (place, list) = suite();
+    let (_, to) = within(&place, "out");
+    let common = ["fragility", "--suite", &list, "--out", &to, "--object", "1", "--verify", "none"];
+    let device = ["--t-h", "1.5", "--t-v", "0.5", "--u-y", "0.01"];
+    let asked = ["--vary", vary, "--levels", levels, "--samples", samples];
+    let told = said(&topple(&[&common[..], &device, &asked].concat()).success());
+    (place, told)
+}
+
 /// Indices that so few samples do not tell are words on the terminal.
 #[test]
 fn too_few_samples_are_said() {
-    let (place, list) = suite();
-    let (_, to) = within(&place, "out");
-    let asked = ["--levels", "1:16:6:log", "--t-h", "1.5", "--t-v", "0.5", "--verify", "none"];
-    let vary = ["--vary", "eccentricity=uniform(-0.3,0.3)", "--samples", "2", "--u-y", "0.01"];
-    let common = ["fragility", "--suite", &list, "--out", &to, "--object", "1"];
-    let told = said(&topple(&[&common[..], &asked, &vary].concat()).success());
+    let (_place, told) = of_unknown("eccentricity=uniform(-0.3,0.3)", "1:16:6:log", "2");
     let wanted = "explains   eccentricity: not known with so few samples (--samples)";
     assert!(told.contains(wanted), "{told}");
     assert!(told.contains("varies     eccentricity=uniform(-0.3,0.3)"), "{told}");
@@ -351,18 +356,13 @@ fn too_few_samples_are_said() {
 /// What nothing is known of is said, not printed as a number: here no run fails at any point.
 #[test]
 fn what_explains_nothing_is_said_in_words() {
-    let (place, list) = suite();
-    let (out, to) = within(&place, "out");
-    let asked = ["--levels", "0.2,0.4", "--t-h", "1.5", "--t-v", "0.5", "--verify", "none"];
-    let vary = ["--vary", "eccentricity=normal(0,0.1)", "--samples", "4", "--u-y", "0.01"];
-    let common = ["fragility", "--suite", &list, "--out", &to, "--object", "1"];
-    let told = said(&topple(&[&common[..], &asked, &vary].concat()).success());
+    let (place, told) = of_unknown("eccentricity=normal(0,0.1)", "0.2,0.4", "4");
     assert!(
         told.contains("explains   eccentricity: not known: at all points as many runs fail"),
         "{told}"
     );
     assert!(!told.contains("NaN") && told.contains("--samples"), "{told}");
-    for row in rows(&out.join("sensitivity.csv")) {
+    for row in rows(&place.path().join("out/sensitivity.csv")) {
         assert!(row["first"].is_empty() && row["total"].is_empty(), "{row:?}");
     }
 }

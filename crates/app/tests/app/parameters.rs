@@ -74,7 +74,7 @@ fn run(more: &[&str]) -> crate::common::command::Assert {
 }
 
 fn refused(more: &[&str], said: &[&str]) {
-    let run = run(more).failure().code(2);
+    let run = run(more).code(2);
     let error = String::from_utf8(run.get_output().stderr.clone()).unwrap();
     assert_eq!(error.lines().count(), 1, "{error}");
     for word in said {

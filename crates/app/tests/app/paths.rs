@@ -6,8 +6,7 @@ use std::fs;
 use std::os::unix::ffi::OsStrExt;
 use std::path::{Path, PathBuf};
 
-use crate::common::command::Assert;
-use crate::common::command::Command;
+use crate::common::command::{Assert, Command};
 use serde_json::Value;
 use tempfile::TempDir;
 

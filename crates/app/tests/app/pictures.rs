@@ -542,14 +542,6 @@ fn spectra_are_the_least_values_that_lift_and_overturn() {
     assert!(svg.contains("stroke-dasharray=\"4 2.4\""), "{svg}");
     topple(&["run", at("map").to_str().unwrap()], &at("again"));
     assert_eq!(fs::read_to_string(at("again").join("spectrum.csv")).unwrap(), spectrum);
-    // Shards have no spectra; the map that is joined of them has the same.
-    let shards = [&MAP[..9], &["--omega", "0.2:15:30", "--a-h", "0.1:8:30", "--backend", "cpu"]];
-    for shard in ["1/2", "2/2"] {
-        topple(&[&shards.concat()[..], &["--tile", shard]].concat(), &at("shards"));
-    }
-    let shards = at("shards").display().to_string();
-    topple(&["merge", &shards, "--spectrum", "--verify", "none"], &at("merged"));
-    assert_eq!(fs::read_to_string(at("merged").join("spectrum.csv")).unwrap(), spectrum);
     let line = [&MAP[..9], &["--omega", "5", "--a-h", "0.1:15:9", "--spectrum"]].concat();
     let said = refused(&[&line[..], &["--out", at("line").to_str().unwrap()]].concat());
     assert!(said.contains("--spectrum: spectra are of a map of two axes"), "{said}");

@@ -123,12 +123,6 @@ impl Assert {
     }
 
     #[track_caller]
-    pub fn failure(self) -> Assert {
-        let ended = !self.output.status.success();
-        self.must(ended, "failure")
-    }
-
-    #[track_caller]
     pub fn code(self, code: i32) -> Assert {
         let ended = self.output.status.code() == Some(code);
         self.must(ended, code)

@@ -573,3 +573,14 @@ def test_a_record_shakes_the_base(open_page, tmp_path):
     page.page.locator("#excitation [data-key=pulse]").click()
     page.settle()
     assert "omega=" in page.rested() and "horizontal" not in page.page.url
+
+
+def test_files_arrive_whole_under_their_names(open_page, tmp_path):
+    files = [tmp_path / name for name in ("list.csv", "ä 'b'.txt", "c.txt")]
+    files[0].write_text(f"id,horizontal,dt,units\none,{files[1].name},0.01,g\ntwo,{files[2].name},0.01,g\n", encoding="utf-8")
+    for number, file in enumerate(files[1:]):
+        file.write_text("".join(f"{(0.1 + 0.1 * number) * (-1) ** (k // 40)}\n" for k in range(400 + number)))
+    page = open_page(**SMALL)
+    page.settle()
+    page.page.locator("#source input[type=file]").set_input_files(files)
+    page.page.locator("#source >> text=2 motions").wait_for()

@@ -19,6 +19,21 @@ static OWN: LazyLock<Arc<Database>> = LazyLock::new(|| {
     Arc::new(fonts)
 });
 
+/// The first font of each file of fonts of the machine. To list them takes its time.
+static OF_THE_MACHINE: LazyLock<BTreeMap<PathBuf, u32>> = LazyLock::new(|| {
+    let mut fonts = Database::new();
+    fonts.load_system_fonts();
+    let file = |face: &fontdb::FaceInfo| match &face.source {
+        Source::File(path) => Some((path.clone(), face.index)),
+        _ => None,
+    };
+    let mut first = BTreeMap::new();
+    for (path, index) in fonts.faces().filter_map(file) {
+        first.entry(path).or_insert(index);
+    }
+    first
+});
+
 /// It with those fonts of the machine that were needed until now.
 static MORE: LazyLock<Mutex<More>> =
     LazyLock::new(|| Mutex::new(More { fonts: Arc::clone(&OWN), sought: BTreeMap::new() }));
@@ -38,12 +53,12 @@ impl More {
             return;
         }
         let mut fonts = Database::clone(&self.fonts);
-        for (file, face) in of_the_machine() {
+        for (file, face) in OF_THE_MACHINE.iter() {
             if left.is_empty() {
                 break;
             }
-            let Ok(bytes) = fs::read(&file) else { continue };
-            let Ok(font) = FontRef::from_index(&bytes, face) else { continue };
+            let Ok(bytes) = fs::read(file) else { continue };
+            let Ok(font) = FontRef::from_index(&bytes, *face) else { continue };
             let characters = font.charmap();
             let (has, lacks): (BTreeSet<char>, BTreeSet<char>) =
                 left.iter().partition(|letter| characters.map(**letter).is_some());
@@ -56,21 +71,6 @@ impl More {
         self.sought.extend(left.into_iter().map(|letter| (letter, false)));
         self.fonts = Arc::new(fonts);
     }
-}
-
-/// The first font of each file of fonts of the machine.
-fn of_the_machine() -> BTreeMap<PathBuf, u32> {
-    let mut fonts = Database::new();
-    fonts.load_system_fonts();
-    let file = |face: &fontdb::FaceInfo| match &face.source {
-        Source::File(path) => Some((path.clone(), face.index)),
-        _ => None,
-    };
-    let mut first = BTreeMap::new();
-    for (path, index) in fonts.faces().filter_map(file) {
-        first.entry(path).or_insert(index);
-    }
-    first
 }
 
 /// The letters of a text that the font of the pictures lacks.
@@ -105,14 +105,15 @@ pub struct Missing {
 /// the pictures alone, so that all other letters which that lacks are missing, too.
 pub fn missing(svg: &str) -> Option<Missing> {
     let mut missing = Missing { letters: BTreeSet::new(), texts: Vec::new() };
-    if lacking(svg).is_empty() {
+    let all = lacking(svg);
+    if all.is_empty() {
         return None;
     }
     let mut more = MORE.lock().unwrap_or_else(PoisonError::into_inner);
+    more.seek(&all);
     for text in svg.split("<text").skip(1).filter_map(|text| text.split_once("</text>")) {
         let text = plain(text.0);
         let letters = lacking(&text);
-        more.seek(&letters);
         if letters.iter().any(|letter| more.sought.get(letter) == Some(&false)) {
             missing.letters.extend(letters);
             if !missing.texts.contains(&text) {
