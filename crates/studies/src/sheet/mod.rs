@@ -36,13 +36,17 @@ pub(crate) struct Cell<'a> {
 }
 
 impl<'a> Sheet<'a> {
-    /// A table whose first row is its heading; none of a text without rows.
+    /// A table whose first row is its heading; none of a text without rows. `is_words` is true of the names of columns in which words
+    /// stand, also where they look like numbers.
     ///
     /// # Errors
     /// A column that stands twice, and what makes no row.
-    pub fn of(mut rows: Rows<'a>) -> Result<Option<Sheet<'a>>, TableError> {
+    pub fn of(
+        mut rows: Rows<'a>,
+        is_words: impl Fn(&str) -> bool,
+    ) -> Result<Option<Sheet<'a>>, TableError> {
         let Some(Row { line, cells: names }) = rows.next().transpose()? else { return Ok(None) };
-        Sheet::named(line, names, rows).map(Some)
+        Sheet::named(line, names, rows, is_words).map(Some)
     }
 
     /// The rows that are left, with the names of their columns.
@@ -53,6 +57,7 @@ impl<'a> Sheet<'a> {
         line: usize,
         names: Vec<Cow<'a, str>>,
         rows: Rows<'a>,
+        is_words: impl Fn(&str) -> bool,
     ) -> Result<Sheet<'a>, TableError> {
         let mut known = BTreeSet::new();
         for name in names.iter().filter(|name| !name.is_empty()) {
@@ -60,7 +65,7 @@ impl<'a> Sheet<'a> {
                 return Err(TableError::of_cell(line, name, "it stands twice; leave one out"));
             }
         }
-        let decimals = Decimals::of(&rows, &names);
+        let decimals = Decimals::of(&rows, |at| names.get(at).is_some_and(|name| is_words(name)));
         Ok(Sheet { line, names, decimals, rows })
     }
 
@@ -151,7 +156,7 @@ mod tests {
     use super::*;
 
     fn error(text: &str) -> String {
-        let sheet = match Sheet::of(Rows::of(text, 1, false).unwrap()) {
+        let sheet = match Sheet::of(Rows::of(text, 1, false).unwrap(), |_| false) {
             Ok(sheet) => sheet.unwrap(),
             Err(error) => return error.to_string(),
         };
@@ -178,7 +183,8 @@ mod tests {
     fn names_tell_no_decimal_sign() {
         for name in ["2.1", "A", "1,5"] {
             let text = format!("device;k1\n{name};900.000\n");
-            let sheet = Sheet::of(Rows::of(&text, 1, false).unwrap()).unwrap().unwrap();
+            let rows = Rows::of(&text, 1, false).unwrap();
+            let sheet = Sheet::of(rows, |name| name == "device").unwrap().unwrap();
             let row = sheet.rows().next().unwrap().unwrap();
             let said = sheet.cell(&row, 1).number().unwrap_err().to_string();
             assert!(said.contains("may be 900000 or 900"), "{name}: {said}");
@@ -198,8 +204,8 @@ mod tests {
 
     #[test]
     fn a_cell_has_its_place() {
-        let sheet =
-            Sheet::of(Rows::of("a;b\n\n0,5;200.000\n", 1, false).unwrap()).unwrap().unwrap();
+        let rows = Rows::of("a;b\n\n0,5;200.000\n", 1, false).unwrap();
+        let sheet = Sheet::of(rows, |_| false).unwrap().unwrap();
         let row = sheet.rows().next().unwrap().unwrap();
         assert_eq!(sheet.cell(&row, 0).number(), Ok(Some(0.5)));
         let error = sheet.cell(&row, 1).number().unwrap_err().to_string();
