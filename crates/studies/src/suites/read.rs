@@ -9,9 +9,9 @@ use rayon::prelude::*;
 
 use super::entry::{Entry, Motion};
 use super::files::Files;
+use super::found::Unused;
 use super::measures::Measures;
-use super::unused::{self, Unused};
-use super::{SuiteError, grouped, list, peer, processing};
+use super::{SuiteError, grouped, list, peer, processing, unused};
 use topple::scene::parameters::ACCEPTED;
 use topple::scene::record::zips::MOST_FILES;
 use topple::scene::record::{Baseline, Pair, Record, RecordFile, joined, text};
@@ -79,7 +79,7 @@ impl Suite {
         let mut suite = Suite { rows, unused };
         suite.check_factors(path)?;
         suite.leave_out_copies();
-        suite.leave_out_uncorrected();
+        processing::leave_out_uncorrected(&mut suite.rows);
         if let (None, Some((entry, reason))) = (suite.motions().next(), suite.left_out().next()) {
             let (id, reason) = (entry.id.clone(), reason.to_string());
             return Err(SuiteError::NoMotion { count: suite.rows.len(), id, reason });
@@ -99,7 +99,8 @@ impl Suite {
 
     /// Refuses factors of a list that make more of a motion than any ground has.
     fn check_factors(&self, path: &Path) -> Result<(), SuiteError> {
-        for (entry, motion) in self.motions() {
+        // What is not scaled is as strong as its file has it.
+        for (entry, motion) in self.motions().filter(|(entry, _)| entry.scale != 1.0) {
             let [pga_h, pga_v] =
                 [motion.pair.pga_h, motion.pair.pga_v].map(|peak| peak / entry.scale);
             let before = Pair { pga_h, pga_v, ..motion.pair.clone() };
