@@ -95,11 +95,9 @@ fn table<'a>(
         return Err(TableError::at(first.line, columns(text, &named, numbers)));
     }
     let above = || comments(text).take_while(|(line, _)| *line < first.line);
-    let in_comment = || above().filter_map(|(line, comment)| heading_of(line, comment)).last();
-    let in_comment = if numbers > 0 { in_comment() } else { None };
     let heading = match numbers {
         0 => heading(&named, by_blanks).map(|names| (first.line, names)),
-        _ => in_comment,
+        _ => above().filter_map(|(line, comment)| heading_of(line, comment)).last(),
     };
     let is_heading = |line: usize| heading.as_ref().is_some_and(|(own, _)| *own == line);
     for (line, comment) in above().filter(|(line, _)| !is_heading(*line)) {

@@ -133,6 +133,26 @@ impl<'a> Sheet<'a> {
     }
 }
 
+/// What may be wrong with the comments of a table that has a heading: the first that has as many cells, and no blank behind its `#`, may be
+/// a row whose name begins with `#`.
+pub fn row_in_comment(text: &str) -> Option<String> {
+    let mut rows = Rows::of(text, 1, false).ok()?;
+    let heading = rows.next()?.ok()?;
+    let columns = heading.cells.iter().filter(|name| !name.is_empty()).count();
+    let is_row = |comment: &str| {
+        let cells = comment.split(rows.separator()).count();
+        columns > 1
+            && (columns..=heading.cells.len()).contains(&cells)
+            && !comment.starts_with(char::is_whitespace)
+    };
+    let (line, _) =
+        comments(text).find(|(line, comment)| *line > heading.line && is_row(comment))?;
+    Some(format!(
+        "line {line} has the cells of a row and begins with `#`, as comments do: it is left out; put quotes around its name if it is a \
+         row, or a blank behind `#`"
+    ))
+}
+
 impl Cell<'_> {
     /// Its number; none where nothing is written.
     ///
@@ -200,6 +220,25 @@ mod tests {
             error.starts_with("line 2: a cell within quotes has a line break and a `,`"),
             "{error}"
         );
+    }
+
+    #[test]
+    fn a_comment_with_the_cells_of_a_row_is_doubted() {
+        for (text, line) in [
+            ("a,b\n#A,1\nB,2\n", Some(2)),
+            ("a,b,,\nB,2\n# c\n#A,1,,\n", Some(4)),
+            ("a;b\n#A,1\n#A;1\n", Some(3)),
+            ("#a,b\na,b\n# A,1\n#A\n#A,1,2\nB,2\n", None),
+            ("a\n#A\nB\n", None),
+            ("", None),
+        ] {
+            let said = row_in_comment(text).unwrap_or_default();
+            let wanted = line.map_or(String::new(), |line| format!("line {line} has the cells"));
+            assert!(
+                said.starts_with(&wanted) && said.is_empty() == line.is_none(),
+                "{text:?} {said}"
+            );
+        }
     }
 
     #[test]
