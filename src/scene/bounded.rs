@@ -3,6 +3,9 @@
 use std::fs::File;
 use std::io::{self, Error, ErrorKind, Read};
 use std::path::Path;
+use std::time::Duration;
+#[cfg(unix)]
+use std::{sync::mpsc, thread};
 
 /// Most bytes of a text that tells what was run, such as run.json: axes that are long lists stand in it.
 pub const DOCUMENT: u64 = 32 << 20;
@@ -13,7 +16,31 @@ pub const DOCUMENT: u64 = 32 << 20;
 /// Errors of the disk; [`ErrorKind::FileTooLarge`] of a larger file.
 pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     // A device or a pipe has no length to be asked for.
-    all(File::open(path)?, most)
+    all(opened(path, WAIT)?, most)
+}
+
+/// How long a pipe may have nobody who writes to it.
+const WAIT: Duration = Duration::from_secs(30);
+
+/// Opens a file. Opening a pipe by its name waits until somebody opens it to write, which may never be.
+#[cfg(unix)]
+fn opened(path: &Path, wait: Duration) -> io::Result<File> {
+    use std::os::unix::fs::FileTypeExt;
+    if !path.metadata().is_ok_and(|about| about.file_type().is_fifo()) {
+        return File::open(path);
+    }
+    let (sender, receiver) = mpsc::channel();
+    let path = path.to_path_buf();
+    // Where nobody comes, the thread waits on to the end of the process.
+    thread::Builder::new().spawn(move || sender.send(File::open(path)))?;
+    let problem = || format!("a pipe that nobody has written to for {} s", wait.as_secs());
+    let none = |_| Err(Error::new(ErrorKind::TimedOut, problem()));
+    receiver.recv_timeout(wait).unwrap_or_else(none)
+}
+
+#[cfg(not(unix))]
+fn opened(path: &Path, _: Duration) -> io::Result<File> {
+    File::open(path)
 }
 
 /// The text of a file of `most` bytes at most.
@@ -69,7 +96,7 @@ pub fn size(bytes: u64) -> String {
 mod tests {
     use std::io;
 
-    use super::{all, size, unicode};
+    use super::{all, opened, read, size, unicode};
 
     #[test]
     fn what_is_larger_or_has_no_end_is_refused() {
@@ -78,6 +105,29 @@ mod tests {
         assert_eq!(refused.kind(), io::ErrorKind::FileTooLarge);
         assert_eq!(refused.to_string(), "larger than 3 MiB");
         assert_eq!([2 << 30, 1000].map(size), ["2 GiB", "1000 bytes"]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_without_a_writer_is_refused_after_a_while() {
+        use std::io::Write;
+        use std::os::fd::AsRawFd;
+        use std::time::Duration;
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("pipe");
+        assert!(std::process::Command::new("mkfifo").arg(&path).status().unwrap().success());
+        let error = opened(&path, Duration::from_millis(50)).unwrap_err();
+        assert_eq!(error.kind(), io::ErrorKind::TimedOut);
+        let writer = path.clone();
+        let written = std::thread::spawn(move || std::fs::write(writer, "1\n2"));
+        assert_eq!(read(&path, 10).unwrap(), b"1\n2");
+        written.join().unwrap().unwrap();
+        // A pipe of a shell, `<(...)`, has a number for a name.
+        let (reader, mut writer) = io::pipe().unwrap();
+        writer.write_all(b"3").unwrap();
+        drop(writer);
+        let path = format!("/dev/fd/{}", reader.as_raw_fd());
+        assert_eq!(read(path.as_ref(), 10).unwrap(), b"3");
     }
 
     #[test]

@@ -1,4 +1,5 @@
-//! Texts that were read as a message or a command line repeats them: in one line, not all of a long one, or quoted.
+//! Texts that were read as a message or a command line repeats them: in one line, not all of a long one, or quoted; and numbers as they
+//! are written.
 
 /// Most letters of a text that a message repeats: a checksum has as many.
 const SHOWN: usize = 64;
@@ -45,6 +46,11 @@ pub fn word(word: &str) -> String {
         return word.into();
     }
     format!("'{}'", word.replace('\'', r"'\''"))
+}
+
+/// A decimal number as it was before it became one of 32 bits: with the fewest digits that tell it from its neighbours.
+pub fn decimal(value: f32) -> f64 {
+    value.to_string().parse().unwrap_or(f64::from(value))
 }
 
 fn cut(text: &str, most: usize) -> String {

@@ -12,6 +12,7 @@ use topple_studies::comparison::{
     self, Comparison, ComparisonError, ComparisonJob, ComparisonRequest, Device, RateRequest,
     devices,
 };
+use topple_studies::row_in_comment;
 use topple_studies::suites::Resample;
 use topple_studies::suites::intensity::Intensity;
 use topple_studies::suites::verified::Verified;
@@ -254,7 +255,11 @@ impl CompareCommand {
         let text = decoded(&bytes).map_err(|error| {
             InputError(format!("{}: {error}; {READABLE}", self.devices.display()))
         })?;
-        devices::read(&text, shared).map_err(|error| self.refused(error.into()))
+        let list = devices::read(&text, shared).map_err(|error| self.refused(error.into()))?;
+        if let Some(doubt) = row_in_comment(&text) {
+            words::warn(format!("{}: {doubt}", self.devices.display()));
+        }
+        Ok(list)
     }
 
     /// What is wrong, with its place in the list or its flag.

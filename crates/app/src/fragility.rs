@@ -140,6 +140,9 @@ struct Manifest<'a> {
     hazard: Option<&'a Path>,
     /// The unit that the levels of the hazard curve were read in.
     hazard_units: Option<&'static str>,
+    /// What it was read from, in words.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hazard_source: Option<&'a str>,
     /// The curve that was read: its levels, in SI units, and annual rates.
     #[serde(skip_serializing_if = "Option::is_none")]
     hazard_curve: Option<Vec<[f64; 2]>>,
@@ -265,6 +268,7 @@ impl FragilityCommand {
             samples: varies.then_some(self.samples),
             hazard: self.hazard.path(),
             hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
+            hazard_source: hazard.as_ref().map(|hazard| hazard.source.as_str()),
             hazard_curve: hazard.as_ref().map(|hazard| hazard.curve.points()),
             inputs: inputs.checksums(),
             target: self.target,

@@ -201,8 +201,9 @@ pub fn left_out(suite: &Suite) -> BTreeMap<&str, &str> {
     suite.left_out().map(|(entry, why)| (entry.id.as_str(), why)).collect()
 }
 
-/// Warns of motions whose samples may be wrong, the first of each kind with what it is.
+/// Warns of lists that may be wrong, and of motions whose samples may be, the first of each kind with what it is.
 fn warn_of_doubts(suite: &Suite) {
+    suite.doubts.iter().for_each(words::warn);
     let doubtful: Vec<_> =
         suite.motions().filter(|(_, motion)| !motion.pair.doubts.is_empty()).collect();
     if let Some((entry, motion)) = doubtful.first() {

@@ -175,26 +175,27 @@ fn sentence(folder: &Folder, scene: &Scene) -> String {
 fn blocks(folders: &[Folder]) -> Vec<Piece> {
     let mut drawn: Vec<String> = Vec::new();
     let mut pieces = Vec::new();
-    let scenes = folders
-        .iter()
-        .flat_map(|folder| folder.scenes().into_iter().map(|scene| (scene, folder.varied())));
-    for (scene, varied) in scenes {
-        let Some(case) = block::case(&scene) else { continue };
-        let svg = block::draw(&scene, &case);
-        if drawn.contains(&svg) || drawn.len() == BLOCKS {
-            continue;
+    for folder in folders {
+        let varied = folder.varied();
+        for scene in folder.scenes() {
+            let Some(case) = block::case(&scene) else { continue };
+            let svg = block::draw(&scene, &case);
+            if drawn.contains(&svg) || drawn.len() == BLOCKS {
+                continue;
+            }
+            let Ok(outlined) = topple_pictures::drawing::render::outlined(&svg) else { continue };
+            let mut caption = block::caption(&scene, &case);
+            if !varied.is_empty() {
+                let names: Vec<&str> =
+                    varied.iter().map(|one| one.parameter.entry().symbol).collect();
+                caption += &format!(
+                    " Not known exactly, and drawn with one of the values: {}.",
+                    names.join(", ")
+                );
+            }
+            pieces.push(Piece::Picture(outlined, format!("{}:{caption}", scene.title)));
+            drawn.push(svg);
         }
-        let Ok(outlined) = topple_pictures::drawing::render::outlined(&svg) else { continue };
-        let mut caption = block::caption(&scene, &case);
-        if !varied.is_empty() {
-            let names: Vec<&str> = varied.iter().map(|one| one.parameter.entry().symbol).collect();
-            caption += &format!(
-                " Not known exactly, and drawn with one of the values: {}.",
-                names.join(", ")
-            );
-        }
-        pieces.push(Piece::Picture(outlined, format!("{}:{caption}", scene.title)));
-        drawn.push(svg);
     }
     if !pieces.is_empty() {
         let shown = Piece::Text(block::SHOWN.into());
@@ -216,8 +217,7 @@ fn motions(folders: &[Folder]) -> Vec<Piece> {
                 let names: Vec<&str> = all.iter().filter_map(Value::as_str).take(NAMED).collect();
                 let more = if all.len() > NAMED { ", …" } else { "" };
                 let suite = folder.text("suite").unwrap_or_default();
-                let left_out = folder.run.get("left_out").and_then(Value::as_object);
-                let left_out = match left_out.map_or(0, |left_out| left_out.len()) {
+                let left_out = match folder.left_out().len() {
                     0 => String::new(),
                     1 => " One line of it has no motion.".to_string(),
                     count => format!(" {count} lines of it have no motion."),

@@ -227,15 +227,12 @@ fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         ("pgv", "peak velocity [m/s]"),
     ];
     pieces.extend(table(&rows, &columns));
-    let left_out = folder.run.get("left_out").and_then(|left| left.as_object());
-    let left_out: Vec<String> = left_out
-        .into_iter()
-        .flatten()
-        .map(|(name, why)| format!("{name} is left out: {}", why.as_str().unwrap_or_default()))
-        .collect();
+    let left_out = folder.left_out();
     if !left_out.is_empty() {
         let more = left_out.len().saturating_sub(ROWS);
-        pieces.push(Piece::List(left_out.into_iter().take(ROWS).collect()));
+        let told = left_out.iter().take(ROWS);
+        let told = told.map(|(name, why)| format!("{name} is left out: {why}"));
+        pieces.push(Piece::List(told.collect()));
         if more > 0 {
             let text = format!("{more} more lines have no motion; run.json says why.");
             pieces.push(Piece::Text(text));

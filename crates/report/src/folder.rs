@@ -182,6 +182,12 @@ impl Folder {
         all.filter_map(|one| one.as_str()?.parse().ok()).collect()
     }
 
+    /// The lines of a suite without a motion, by their ids, and why.
+    pub fn left_out(&self) -> Vec<(&str, &str)> {
+        let all = self.run.get("left_out").and_then(Value::as_object).into_iter().flatten();
+        all.map(|(id, why)| (id.as_str(), why.as_str().unwrap_or_default())).collect()
+    }
+
     /// A number of run.json.
     pub fn number(&self, key: &str) -> Option<f64> {
         self.run.get(key)?.as_f64()

@@ -212,6 +212,10 @@ fn site(folder: &Folder, label: &str) -> Vec<Piece> {
         "The hazard of the site, {}: how often a year the ground shakes more strongly than a level.",
         folder.text("hazard").unwrap_or_default()
     );
+    if let (Some(unit), Some(source)) = (folder.text("hazard_units"), folder.text("hazard_source"))
+    {
+        text += &format!(" How it was read: levels in {unit}; {source}.");
+    }
     if let Some(target) = folder.number("target") {
         text += &format!(
             " The dashed line is the accepted rate of failure, {} a year: a block that fails exactly from the level on at which the line meets the curve has this rate.",

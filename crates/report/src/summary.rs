@@ -95,7 +95,7 @@ fn suite(folder: &Folder, rows: &Rows) -> Vec<String> {
     let of = groups.iter().filter_map(|(key, thing)| Some(counted(folder.number(key)?, thing)));
     let of: String = of.map(|of| format!(" of {of}")).collect();
     let mut told = vec![format!("{}{of}{peaks}.", counted(rows.len() as f64, "motion"))];
-    let left_out = folder.run.get("left_out").and_then(Value::as_object).map_or(0, |all| all.len());
+    let left_out = folder.left_out().len();
     if left_out > 0 {
         let have = if left_out == 1 { "has" } else { "have" };
         told.push(format!("{} of the suite {have} no motion.", counted(left_out as f64, "line")));

@@ -29,7 +29,7 @@ pub use fragility::{
     in_50_years, share_that_stands_again,
 };
 pub use sharpness::Sharpness;
-pub use sheet::TableError;
+pub use sheet::{TableError, row_in_comment};
 pub use statistics::{Bootstrap, Distribution, DistributionError};
 pub use suites::envelope::{
     Best, CellEnvelope, Envelope, EnvelopeJob, EnvelopeRequest, EnvelopeSettings, Limits,

@@ -82,7 +82,8 @@ impl<'a, 'py> Call<'a, 'py> {
         let doubts = suite.motions().flat_map(|(entry, motion)| {
             motion.pair.doubts.iter().map(|doubt| format!("{}: {doubt}", entry.id))
         });
-        warn_of_doubts(&doubts.collect::<Vec<_>>())?;
+        let doubts: Vec<String> = suite.doubts.iter().cloned().chain(doubts).collect();
+        warn_of_doubts(&doubts)?;
         Ok((Call { py, keywords, suite, progress, threads, resume, shard }, request))
     }
 

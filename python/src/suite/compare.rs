@@ -5,13 +5,13 @@ use pyo3::types::PyDict;
 use serde_json::json;
 use topple_studies::comparison::{self, devices};
 use topple_studies::{
-    Comparison, ComparisonError, ComparisonRequest, Intensity, RateRequest, Suite,
+    Comparison, ComparisonError, ComparisonRequest, Intensity, RateRequest, Suite, row_in_comment,
 };
 
 use super::call::{Call, Tables};
 use super::described::{described_with, text, told};
 use crate::errors::{of_keyword, of_sweep};
-use crate::keywords::given;
+use crate::keywords::{given, warn_of_doubts};
 use crate::uncertain::A_SEED;
 
 /// Its own keywords.
@@ -26,6 +26,7 @@ pub fn compare<'py>(
 ) -> PyResult<Tables<'py>> {
     let (call, request) = Call::of(py, keywords, progress, OWN)?;
     let list = given::<String>(keywords, "devices", "a list")?.unwrap_or_default();
+    warn_of_doubts(&row_in_comment(&list).into_iter().collect::<Vec<_>>())?;
     let list = devices::read(&list, &request.scene).map_err(|e| of_keyword("devices", e))?;
     let mut request = ComparisonRequest::new(list, request, call.limits()?);
     call.needs(&[

@@ -17,7 +17,7 @@ use topple_studies::suites::read::Reading;
 use topple_studies::suites::table;
 
 use crate::errors::of_suite;
-use crate::keywords;
+use crate::keywords::{self, warn_of_doubts};
 use crate::watch;
 use described::{described, text};
 
@@ -32,6 +32,7 @@ pub fn suite(
     let reading = Reading { strict, baseline: keywords::baseline(baseline)? };
     let suite =
         watch::run_unheard(py, move || Suite::read_as(&path, reading))?.map_err(of_suite)?;
+    warn_of_doubts(&suite.doubts)?;
     let unused: BTreeMap<&str, &str> =
         suite.unused.iter().map(|unused| (&*unused.file, &*unused.why)).collect();
     let about = json!({

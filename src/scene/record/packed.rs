@@ -72,15 +72,7 @@ fn only_file(bytes: &[u8], most: u64) -> Result<(Vec<u8>, String), RecordError> 
         RecordError::whole(format!("a zip of {error}; unpack it and give the file"))
     })?;
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
-    let mut names = Vec::new();
-    for name in archive.file_names() {
-        let name = name.map_err(damaged)?;
-        // A Mac packs what it knows of a file beside it.
-        let is_hidden = name.rsplit('/').next().is_some_and(|file| file.starts_with('.'));
-        if !name.ends_with('/') && !name.starts_with("__MACOSX/") && !is_hidden {
-            names.push(name.into_owned());
-        }
-    }
+    let names = files(&archive).map_err(damaged)?;
     if let Some(problem) = other_programs::of_zip(&names) {
         return Err(RecordError::whole(problem));
     }
@@ -99,6 +91,29 @@ fn only_file(bytes: &[u8], most: u64) -> Result<(Vec<u8>, String), RecordError> 
     };
     let file = archive.by_name(name).map_err(damaged)?;
     Ok((all(file, most, "zip")?, name.clone()))
+}
+
+/// The names of the files in a zip.
+fn files(archive: &ZipArchive<Cursor<&[u8]>>) -> Result<Vec<String>, ZipError> {
+    let mut names = Vec::new();
+    for name in archive.file_names() {
+        let name = name?;
+        // A Mac packs what it knows of a file beside it.
+        let is_hidden = name.rsplit('/').next().is_some_and(|file| file.starts_with('.'));
+        if !name.ends_with('/') && !name.starts_with("__MACOSX/") && !is_hidden {
+            names.push(name.into_owned());
+        }
+    }
+    Ok(names)
+}
+
+/// What a zip is that is a file of another program, and what to do with it.
+pub(super) fn of_program(bytes: &[u8]) -> Option<&'static str> {
+    if !bytes.starts_with(b"PK\x03\x04") || zips::check(bytes).is_err() {
+        return None;
+    }
+    let archive = ZipArchive::new(Cursor::new(bytes)).ok()?;
+    other_programs::of_zip(&files(&archive).ok()?)
 }
 
 #[cfg(test)]

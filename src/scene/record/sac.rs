@@ -5,6 +5,7 @@ use super::component::Component;
 use super::lines::MOST_SAMPLES;
 use super::stated::{seconds, tidy};
 use super::{Raw, RecordError, Stated, Step};
+use crate::scene::shown::decimal;
 
 /// Bytes of the header, and of the doubles that version 7 has after the samples.
 const HEADER: usize = 632;
@@ -80,11 +81,6 @@ impl Header<'_> {
 /// True of bytes that begin as a file of SAC.
 pub(super) fn matches(bytes: &[u8]) -> bool {
     Header::of(bytes).is_some()
-}
-
-/// A decimal number as it was before it became one of 32 bits.
-fn decimal(value: f32) -> f64 {
-    value.to_string().parse().unwrap_or(f64::from(value))
 }
 
 pub(super) fn read(bytes: &[u8]) -> Result<Raw, RecordError> {

@@ -1,7 +1,7 @@
 //! From the bytes of a file to its text: other encodings are converted to UTF-8, and a file that is not a record is recognised
 //! by its first bytes.
 
-use super::{RecordError, other_programs, plain};
+use super::{RecordError, other_programs, packed, plain};
 use crate::scene::bounded;
 use crate::scene::shown::is_hidden;
 
@@ -21,8 +21,8 @@ pub fn decoded(bytes: &[u8]) -> Result<String, RecordError> {
     if bytes.starts_with(b"%PDF") {
         return Err(RecordError::whole("a PDF, not a record; give the file of numbers"));
     }
-    let other = other_programs::of(bytes).map(String::from);
-    if let Some(problem) = other.or_else(|| other_programs::of_text(&text)) {
+    let other = other_programs::of(bytes).or_else(|| packed::of_program(bytes));
+    if let Some(problem) = other.map(String::from).or_else(|| other_programs::of_text(&text)) {
         return Err(RecordError::whole(problem));
     }
     if text.chars().take(1024).any(|c| c == '\0') {
@@ -118,6 +118,9 @@ mod tests {
         seed.resize(512, 0);
         for (bytes, said) in [(&xlsx, "save its sheet as CSV"), (&seed, "miniSEED")] {
             let error = of(bytes, LARGEST).unwrap_err().to_string();
+            assert!(error.contains(said), "{error}");
+            // Lists and hazard curves are not unpacked.
+            let error = decoded(bytes).unwrap_err().to_string();
             assert!(error.contains(said), "{error}");
         }
         for (bytes, said) in [

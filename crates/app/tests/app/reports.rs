@@ -329,6 +329,7 @@ fn a_fragility_begins_in_short_and_shows_its_hazard() {
         });
         at("<th>keeps the accepted rate, 0.0004 a year</th>");
         at("The hazard of the site, site.csv");
+        at("How it was read: levels in m/s2; annual rates `rate` of `PGA [m/s2]`.");
         // The block, the hazard and the curves.
         assert_eq!(page.matches("data:image/svg+xml;base64,").count(), 3);
         let json = read(&place.path().join(by[1]).join("run.json"));

@@ -176,7 +176,7 @@ fn suite(count: usize) -> Suite {
         entry.id = number.to_string();
         (entry, Ok(topple_studies::Motion { pair: pair.clone(), measures }))
     };
-    Suite { rows: (0..count).map(row).collect(), unused: Vec::new() }
+    Suite { rows: (0..count).map(row).collect(), unused: Vec::new(), doubts: Vec::new() }
 }
 
 #[test]

@@ -15,7 +15,6 @@ use topple_studies::fragility::estimate::Estimate;
 use topple_studies::fragility::study::{StateStudy, Study};
 use topple_studies::fragility::{Curve, HazardCurve, Lognormal};
 use topple_studies::suites::intensity::Intensity;
-use topple_studies::uncertain::Varied;
 
 /// Height of a plot of curves.
 const HEIGHT: f64 = 150.0;
@@ -34,8 +33,7 @@ const FURTHER: f64 = 4.0;
 /// The title, what is fixed, and where the plot below begins.
 pub(super) fn begin(study: &Study, title: &str, print: Print) -> (Canvas, f64) {
     let mut canvas = print.canvas(COLUMN);
-    let varied = study.settings.unknown.as_ref().map_or(&[][..], |unknown| &unknown.varied);
-    let mut parts = words::fixed(&Varied::fixed(&study.sweep.scene, varied));
+    let mut parts = words::fixed(&study.known());
     if let Some(unknown) = &study.settings.unknown {
         let varied = unknown.varied.iter().map(|varied| varied.parameter.entry().symbol);
         parts.push(format!("varied: {}", varied.collect::<Vec<_>>().join(", ")));

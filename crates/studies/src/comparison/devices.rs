@@ -110,7 +110,9 @@ fn choices(key: &str) -> Vec<String> {
         "isolation" => all::<Directions>(),
         "pressure" => all::<Pressure>(),
         "overturn" => all::<Overturn>(),
-        _ => (1..=OBJECTS.len()).map(|number| number.to_string()).collect(),
+        "object" => (1..=OBJECTS.len()).map(|number| number.to_string()).collect(),
+        // A key that has no words here is refused with any of them.
+        _ => Vec::new(),
     }
 }
 
@@ -119,7 +121,9 @@ fn choices(key: &str) -> Vec<String> {
 /// # Errors
 /// The line and the column at fault, with what to do.
 pub fn read(text: &str, shared: &SceneBuilder) -> Result<Vec<Device>, TableError> {
-    let Some(sheet) = Sheet::of(Rows::of(text, 1, false)?)? else {
+    let is_words =
+        |name: &str| !matches!(Column::named(&name.to_lowercase()), Ok(Column::Number(_)));
+    let Some(sheet) = Sheet::of(Rows::of(text, 1, false)?, is_words)? else {
         let problem =
             format!("the list is empty; give a heading with `{NAME}` and keys of a scene");
         return Err(TableError::at(1, problem));
@@ -215,11 +219,6 @@ fn device(
             name = printable(cell.text);
             continue;
         };
-        // Alone it tells what is wrong with it, and nothing else.
-        let alone = json!({ section.key(): { key: value } });
-        if let Err(error) = serde_json::from_value::<SceneBuilder>(alone) {
-            return Err(cell.refused(format!("{error}; give one that is known")));
-        }
         own.push(key);
         let tables = scene
             .as_object_mut()

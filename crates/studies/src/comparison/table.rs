@@ -48,7 +48,11 @@ pub const RESERVE: [TableColumn; 2] = [
 
 /// Those of annual rates.
 pub const RATES: [TableColumn; 5] = [
-    number("rate", "1/year", "annual rate of overturning; empty where no curve is known"),
+    number(
+        "rate",
+        "1/year",
+        "annual rate of overturning; empty where neither a curve nor a step is known",
+    ),
     number("rate_low", "1/year", "lower end of its interval of 95 %"),
     number("rate_high", "1/year", "upper end of its interval of 95 %"),
     number(

@@ -1,12 +1,39 @@
 //! The probability of failing as a function of the level, of one part or of two.
 
-use super::fit::{Lognormal, is_level};
+use super::bisection::bisected;
 use crate::statistics::normal;
 
 /// Phi(1): a lognormal curve has this probability at ln theta + beta.
 const UPPER: f64 = 0.841_344_746_068_542_9;
 /// Halvings of a bracket of ln x, which leave nothing but rounding.
 const HALVINGS: u32 = 60;
+
+/// A lognormal fragility: P(x) = Phi(ln(x/theta)/beta).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lognormal {
+    /// The median: the level at which half of the records fail.
+    pub theta: f64,
+    /// The standard deviation of the logarithm of the level. Zero makes a step at theta.
+    pub beta: f64,
+}
+
+impl Lognormal {
+    /// From the logarithm of theta; `None` where theta or beta is beyond what numbers hold.
+    pub(super) fn of_logarithm(ln_theta: f64, beta: f64) -> Option<Lognormal> {
+        let theta = ln_theta.exp();
+        (is_level(theta) && beta >= 0.0 && beta.is_finite()).then_some(Lognormal { theta, beta })
+    }
+
+    /// The probability that the limit state fails at a level.
+    pub fn probability(&self, level: f64) -> f64 {
+        Curve::from(*self).probability(level)
+    }
+}
+
+/// Whether a number can be a level. A subnormal number has lost digits: a median there would answer for another.
+pub(super) fn is_level(number: f64) -> bool {
+    number > 0.0 && number.is_normal()
+}
 
 /// How the probability of a part rises with u = (ln x - at)/scale.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -138,11 +165,8 @@ impl Curve {
     fn level(&self, share: f64) -> f64 {
         let Some(second) = self.second else { return self.first.level(share) };
         let both = |share: f64| self.first.level(share).min(second.level(share));
-        let (mut low, mut high) = (both(0.5 * share), both(share));
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if self.at(middle) < share { low = middle } else { high = middle }
-        }
+        let ends = [both(0.5 * share), both(share)];
+        let [low, high] = bisected(ends, HALVINGS, |middle| self.at(middle) < share);
         0.5 * (low + high)
     }
 }
@@ -161,14 +185,19 @@ impl From<Lognormal> for Curve {
     }
 }
 
-impl From<&Lognormal> for Curve {
-    fn from(curve: &Lognormal) -> Curve {
-        (*curve).into()
-    }
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-impl From<&Curve> for Curve {
-    fn from(curve: &Curve) -> Curve {
-        *curve
+    #[test]
+    fn a_median_that_has_lost_digits_is_no_curve() {
+        for ln_theta in [700.0, -700.0] {
+            let curve = Lognormal::of_logarithm(ln_theta, 1.0).expect("a normal number");
+            assert!((curve.theta.ln() - ln_theta).abs() < 1.0e-12 * 700.0);
+        }
+        // exp(-741.9) = 4e-323 has one digit, exp(-746) none, and exp(710) is infinite.
+        for ln_theta in [-709.0, -741.9, -746.0, 710.0, f64::NAN] {
+            assert_eq!(Lognormal::of_logarithm(ln_theta, 1.0), None, "{ln_theta}");
+        }
     }
 }

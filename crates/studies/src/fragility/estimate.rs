@@ -3,8 +3,8 @@
 use std::fmt;
 
 use super::cloud::Cloud;
-use super::curve::Curve;
-use super::fit::{Fit, Gap, Lognormal};
+use super::curve::{Curve, Lognormal};
+use super::fit::{Fit, Gap};
 use super::hazard::HazardCurve;
 use super::ida::Capacities;
 use super::interval;

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::fit::Lognormal;
+use super::curve::Lognormal;
 use super::hazard_openquake::unit_of_openquake;
 use super::limit_state::LimitState;
 use super::order::implies;

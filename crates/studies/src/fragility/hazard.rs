@@ -157,7 +157,7 @@ fn tail(first: [f64; 2], k: f64, part: &Part) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fragility::fit::Lognormal;
+    use crate::fragility::Lognormal;
     use crate::fragility::hazard_text;
     use crate::suites::intensity::Intensity;
 

@@ -123,11 +123,7 @@ pub(super) fn levels(
     asked: Option<Units>,
 ) -> Result<Option<(&'static str, f64)>, String> {
     let units = units(measure);
-    let (key, own_period) = match measure {
-        Intensity::Sa(period) => ("sa".into(), Some(period)),
-        Intensity::AverageSa(period) => ("avg-sa".into(), Some(period)),
-        other => (other.to_string(), None),
-    };
+    let (key, own_period) = of_measure(measure);
     let wanted = || {
         let period = own_period.map_or_else(String::new, |period| format!("({period})"));
         // In the unit that the heading has, so that nobody who follows the advice changes it.
@@ -137,10 +133,7 @@ pub(super) fn levels(
         format!("{key}{period}{}", unit.map_or_else(String::new, |unit| format!(" [{unit}]")))
     };
     let words = words(heading);
-    let words: Vec<&str> =
-        words.iter().map(String::as_str).filter(|word| !is_of(COMPONENTS, word)).collect();
-    let named = (1..=4).rev().filter_map(|count| Some((words.get(..count)?.join(" "), count)));
-    let Some((name, count)) = { named }.find(|(name, _)| is_name(name)) else {
+    let Some(named) = Named::of(&words, measure) else {
         return match asked {
             Some(units) if !contradicts_levels(heading, &words, units) => Ok(None),
             _ => Err(format!(
@@ -149,28 +142,15 @@ pub(super) fn levels(
             )),
         };
     };
-    let mut rest = &words[count..];
-    let is_general =
-        is_of(ANY, &name) || is_of(ACCELERATION_NAMES, &name) && measure.unit() == ACCELERATION;
-    let is_own = MEASURES.iter().any(|(own, names)| *own == key && is_of(names, &name));
-    let said = rest.first().and_then(|word| period(word));
-    let is_other = match own_period {
-        Some(own) if is_own && said.is_some() => {
-            let behind = rest.get(1).is_some_and(|word| is_of(SECONDS, word));
-            rest = &rest[1 + usize::from(behind)..];
-            said != Some(own)
-        }
-        Some(_) if is_own && asked.is_none() => {
-            return Err(format!("names no period; write `{}`", wanted()));
-        }
-        _ => !is_own && !is_general,
-    };
+    let Named { is_own, is_other, period, rest } = named;
+    if is_own && own_period.is_some() && period.is_none() && asked.is_none() {
+        return Err(format!("names no period; write `{}`", wanted()));
+    }
     if is_other {
         return Err(format!(
             "these are no levels of {measure}; give the curve of {measure}, or another measure"
         ));
     }
-    let rest: Vec<&str> = rest.iter().copied().filter(|word| !is_of(DAMPING, word)).collect();
     if rest.is_empty() {
         return Ok(None);
     }
@@ -187,6 +167,60 @@ pub(super) fn levels(
         }
         _ => Ok(Some((name, factor))),
     }
+}
+
+/// The word of a measure in [`MEASURES`], and its period.
+fn of_measure(measure: Intensity) -> (String, Option<f64>) {
+    match measure {
+        Intensity::Sa(period) => ("sa".into(), Some(period)),
+        Intensity::AverageSa(period) => ("avg-sa".into(), Some(period)),
+        other => (other.to_string(), None),
+    }
+}
+
+/// A heading that begins with a name of levels, against the measure of a study.
+struct Named<'a> {
+    /// It names the measure.
+    is_own: bool,
+    /// It names another measure, or another period.
+    is_other: bool,
+    period: Option<f64>,
+    /// The words behind, without a damping.
+    rest: Vec<&'a str>,
+}
+
+impl<'a> Named<'a> {
+    fn of(words: &'a [String], measure: Intensity) -> Option<Named<'a>> {
+        let words: Vec<&str> =
+            words.iter().map(String::as_str).filter(|word| !is_of(COMPONENTS, word)).collect();
+        let heads = (1..=4).rev().filter_map(|count| Some((words.get(..count)?.join(" "), count)));
+        let (name, count) = { heads }.find(|(name, _)| is_name(name))?;
+        let is_of_key =
+            |key: &str| MEASURES.iter().any(|(own, names)| *own == key && is_of(names, &name));
+        let mut rest = &words[count..];
+        let has_period = is_of_key("sa") || is_of_key("avg-sa");
+        let period = rest.first().filter(|_| has_period).and_then(|word| period(word));
+        if period.is_some() {
+            let behind = rest.get(1).is_some_and(|word| is_of(SECONDS, word));
+            rest = &rest[1 + usize::from(behind)..];
+        }
+        let (key, own_period) = of_measure(measure);
+        let is_general =
+            is_of(ANY, &name) || is_of(ACCELERATION_NAMES, &name) && measure.unit() == ACCELERATION;
+        let is_own = is_of_key(&key);
+        let is_other = if is_own { period.is_some() && period != own_period } else { !is_general };
+        let rest = rest.iter().copied().filter(|word| !is_of(DAMPING, word)).collect();
+        Some(Named { is_own, is_other, period, rest })
+    }
+}
+
+/// True of a comment that is a name of levels of another measure or of another period, with nothing but their unit behind it.
+pub(super) fn is_of_another(comment: &str, measure: Intensity) -> bool {
+    let words = words(comment);
+    let Some(Named { is_other, rest, .. }) = Named::of(&words, measure) else { return false };
+    let unit = spelled(&rest.concat());
+    let units = [&ACCELERATIONS[..], &VELOCITIES, &RATIOS].concat();
+    is_other && (unit.is_empty() || units.iter().any(|(spellings, ..)| is_of(spellings, &unit)))
 }
 
 /// The unit of the measures that may be given in g.
@@ -258,7 +292,7 @@ fn is_probability(heading: &str) -> bool {
 }
 
 /// True of a name of levels, of no list, that has a measure, or in brackets a unit, of its own.
-fn contradicts_levels(heading: &str, said: &[&str], units: Units) -> bool {
+fn contradicts_levels(heading: &str, said: &[String], units: Units) -> bool {
     let brackets =
         heading.split(['(', '[']).skip(1).filter_map(|part| part.split([')', ']']).next());
     let is_other = |unit: &str| {

@@ -2,7 +2,6 @@
 
 use super::hazard::HazardCurve;
 use super::hazard_heading;
-use super::hazard_text::HazardText;
 use crate::sheet::{Rows, Sheet, TableError, comments};
 use crate::suites::intensity::Intensity;
 use topple::Written;
@@ -19,12 +18,13 @@ fn is_curve(kind: &str) -> bool {
 }
 
 /// The curve of a site, of which the units are known: g of accelerations, cm/s of PGV, m/s of the Arias intensity and g s of CAV
-/// (openquake.hazardlib.imt). A probability of 1 tells no rate, one of 0 no logarithm: their levels are left out.
+/// (openquake.hazardlib.imt). A probability of 1 tells no rate, one of 0 no logarithm: their levels are left out. With the curve come the
+/// unit of its levels and, in words, what it is of.
 pub(super) fn read(
     text: &str,
     measure: Intensity,
     asked: Option<Units>,
-) -> Result<HazardText, TableError> {
+) -> Result<(HazardCurve, &'static str, String), TableError> {
     let comment: String = comments(text).map(|(_, comment)| comment).collect();
     let no = |what: &str| {
         TableError::whole(format!(
@@ -60,7 +60,7 @@ pub(super) fn read(
         return Err(TableError::whole(problem));
     }
     let empty = || TableError::whole("it has 0 sites; leave the line of one site below the header");
-    let sheet = Sheet::of(Rows::of(text, 1, false)?)?.ok_or_else(empty)?;
+    let sheet = Sheet::of(Rows::of(text, 1, false)?, |_| false)?.ok_or_else(empty)?;
     let mut rows = sheet.rows();
     let site = rows.next().ok_or_else(empty)??;
     if let Some(next) = rows.next() {
@@ -93,7 +93,7 @@ pub(super) fn read(
         _ => ", of a site that it does not name".into(),
     };
     let source = format!("OpenQuake, {kind}, {}, probabilities in {years} years{place}", shown(of));
-    Ok(HazardText { curve: HazardCurve::of(&points)?, unit, assumed: false, source })
+    Ok((HazardCurve::of(&points)?, unit, source))
 }
 
 /// What OpenQuake calls a measure, the unit in which it has its levels, and what that is in SI units; none of a measure
@@ -110,7 +110,7 @@ pub fn unit_of_openquake(measure: Intensity) -> Option<(String, &'static str, f6
 }
 
 /// The value of a name in a comment such as `investigation_time=50.0, imt='PGA'`.
-pub(super) fn told<'a>(comment: &'a str, name: &str) -> Option<&'a str> {
+fn told<'a>(comment: &'a str, name: &str) -> Option<&'a str> {
     let key = format!("{name}=");
     let is_word = |at: usize| !comment[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_');
     let at = comment.match_indices(&key).map(|(at, _)| at).find(|at| is_word(*at))?;

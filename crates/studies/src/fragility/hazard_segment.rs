@@ -1,5 +1,6 @@
 //! Integrals over one segment of a hazard curve, a power law between two points.
 
+use super::bisection::bisected;
 use super::curve::{Curve, Part, fails};
 
 /// Nodes above zero and weights of Gauss and Legendre for eight points on -1 to 1.
@@ -79,12 +80,8 @@ pub(super) fn integral(
         if above(high) == side {
             return smooth(low, high);
         }
-        let (mut left, mut right) = (low, high);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (left + right);
-            if above(middle) == side { left = middle } else { right = middle }
-        }
-        smooth(low, left) + smooth(left, high)
+        let [kink, _] = bisected([low, high], HALVINGS, |middle| above(middle) == side);
+        smooth(low, kink) + smooth(kink, high)
     };
     (0..pieces as u32).map(piece).sum()
 }

@@ -19,7 +19,7 @@ pub struct HazardText {
     pub curve: HazardCurve,
     /// The unit that its levels were read in.
     pub unit: &'static str,
-    /// True where neither the text nor the caller says the unit of accelerations: m/s^2 was taken.
+    /// True where neither the text nor the caller says the unit of the levels: that of SI was taken.
     pub assumed: bool,
     /// What the curve was read from, in words.
     pub source: String,
@@ -74,7 +74,8 @@ pub fn read(
     match rows.clone().next().transpose()? {
         None => Err(TableError::whole("the curve has 0 points; give two at least")),
         Some(first) if first.cells.iter().any(|name| name.starts_with(POE)) => {
-            hazard_openquake::read(text, measure, asked)
+            let (curve, unit, source) = hazard_openquake::read(text, measure, asked)?;
+            Ok(HazardText { curve, unit, assumed: false, source })
         }
         Some(first) => table(text, rows, &first, measure, asked),
     }
@@ -87,34 +88,29 @@ fn table<'a>(
     measure: Intensity,
     asked: Option<Units>,
 ) -> Result<HazardText, TableError> {
-    let named: Vec<&Cow<str>> = first.cells.iter().filter(|cell| !cell.is_empty()).collect();
+    let named = named(first);
     let numbers = named.iter().filter(|cell| is_number(cell)).count();
     let by_blanks = rows.separator() == BLANKS;
     if named.len() != 2 && (numbers > 0 || !by_blanks) {
         return Err(TableError::at(first.line, columns(text, &named, numbers)));
     }
-    let names = ["level", "rate"].map(Cow::Borrowed).to_vec();
     let above = || comments(text).take_while(|(line, _)| *line < first.line);
-    let in_comment = || above().filter_map(|(line, comment)| heading_of(line, comment)).last();
-    let in_comment = if numbers > 0 { in_comment() } else { None };
-    let is_heading = |line: usize| in_comment.as_ref().is_some_and(|(own, _)| *own == line);
-    let other = above()
-        .find(|(line, comment)| !is_heading(*line) && hazard_heading::is_of_probabilities(comment));
-    if let Some((line, _)) = other {
-        let problem = "the comment says that these are no annual rates; give such rates, below a heading such as `PGA [g],rate`, or take the \
-                       comment out";
-        return Err(TableError::at(line, problem));
-    }
-    let (heading, sheet) = if numbers > 0 {
-        (in_comment, Sheet::named(first.line, names, rows)?)
-    } else if by_blanks {
-        rows.next();
-        (Some((first.line, parted(&named))), Sheet::named(first.line, names, rows)?)
-    } else {
-        let heading = [named[0].to_string(), named[1].to_string()];
-        rows.next();
-        (Some((first.line, heading)), Sheet::named(first.line, first.cells.clone(), rows)?)
+    let heading = match numbers {
+        0 => heading(&named, by_blanks).map(|names| (first.line, names)),
+        _ => above().filter_map(|(line, comment)| heading_of(line, comment)).last(),
     };
+    let is_heading = |line: usize| heading.as_ref().is_some_and(|(own, _)| *own == line);
+    for (line, comment) in above().filter(|(line, _)| !is_heading(*line)) {
+        contradicts(line, comment, measure)?;
+    }
+    if numbers == 0 {
+        rows.next();
+    }
+    let names = match numbers > 0 || by_blanks {
+        true => ["level", "rate"].map(Cow::Borrowed).to_vec(),
+        false => first.cells.clone(),
+    };
+    let sheet = Sheet::named(first.line, names, rows, |_| false)?;
     let said = heading
         .as_ref()
         .map(|(line, [level, rate])| hazard_heading::judged(*line, [level, rate], measure, asked));
@@ -178,8 +174,8 @@ impl HazardText {
 }
 
 /// What is wrong with a first row that has not two cells.
-fn columns(text: &str, named: &[&Cow<str>], numbers: usize) -> String {
-    let is_place = |name: &&Cow<str>| {
+fn columns(text: &str, named: &[&str], numbers: usize) -> String {
+    let is_place = |name: &&str| {
         let name = name.to_lowercase();
         ["lon", "lat", "longitude", "latitude"].contains(&&*name)
     };
@@ -209,19 +205,48 @@ fn heading_of(line: usize, comment: &str) -> Option<(usize, [String; 2])> {
     let rows = Rows::of(comment, line, true).ok()?;
     let by_blanks = rows.separator() == BLANKS;
     let row = rows.into_iter().next()?.ok()?;
-    let named: Vec<&Cow<str>> = row.cells.iter().filter(|cell| !cell.is_empty()).collect();
-    let heading = match named[..] {
-        _ if by_blanks => parted(&named),
-        [level, rate] => [level.to_string(), rate.to_string()],
-        _ => return None,
-    };
+    let heading = heading(&named(&row), by_blanks)?;
     let [level, rate] = &heading;
     hazard_heading::is_meant([level, rate]).then_some((line, heading))
 }
 
+/// Refuses a comment above the numbers that says that they are others than the study needs.
+fn contradicts(line: usize, comment: &str, measure: Intensity) -> Result<(), TableError> {
+    if hazard_heading::is_of_probabilities(comment) {
+        let problem = "the comment says that these are no annual rates; give such rates, below a heading such as `PGA [g],rate`, or take the \
+                       comment out";
+        return Err(TableError::at(line, problem));
+    }
+    let is_another = |name: &str| hazard_heading::is_of_another(name, measure);
+    let of_heading = || {
+        let (_, [level, rate]) = heading_of(line, comment)?;
+        Some(hazard_heading::is_of_rates(&rate) && is_another(&level))
+    };
+    if is_another(comment) || of_heading() == Some(true) {
+        let problem = format!(
+            "the comment says that these are no levels of {measure}; give the curve of {measure}, or take the comment out"
+        );
+        return Err(TableError::at(line, problem));
+    }
+    Ok(())
+}
+
+/// The cells of a row in which something stands.
+fn named<'a>(row: &'a Row) -> Vec<&'a str> {
+    row.cells.iter().map(|cell| &**cell).filter(|cell| !cell.is_empty()).collect()
+}
+
+/// The two names of a heading, by its cells, or by its words where blanks part them.
+fn heading(named: &[&str], by_blanks: bool) -> Option<[String; 2]> {
+    match named {
+        _ if by_blanks => Some(parted(named)),
+        [level, rate] => Some([level.to_string(), rate.to_string()]),
+        _ => None,
+    }
+}
+
 /// A heading whose words blanks part: the second name begins at the first word of a rate or of a period.
-fn parted(words: &[&Cow<str>]) -> [String; 2] {
-    let words: Vec<&str> = words.iter().map(|word| &***word).collect();
+fn parted(words: &[&str]) -> [String; 2] {
     let halves = |at: usize| [words[..at].join(" "), words[at..].join(" ")];
     let at = (1..words.len()).find(|at| hazard_heading::is_of_rates(&halves(*at)[1]));
     halves(at.unwrap_or(1.min(words.len())))
@@ -324,6 +349,7 @@ mod tests {
             ("# PoE in 50 years", Err("line 1: the comment says that these are no annual rates")),
             ("# 10 % in 50 years\n# Rome", Err("line 1: the comment says")),
             ("# PGA [g] annual rate", Ok("g")),
+            ("# PSA(T=0.2s)", Err("line 1: the comment says that these are no levels of pga")),
             ("# Rome, 2020", Ok("m/s²")),
             ("# my site", Ok("m/s²")),
         ] {
@@ -335,6 +361,31 @@ mod tests {
                 }
                 (found, _) => panic!("{comment}: {found:?}"),
             }
+        }
+    }
+
+    /// What a comment above a heading names is compared where it is a name of levels and nothing else.
+    #[test]
+    fn comments_above_a_heading_name_the_same_levels() {
+        let no = "line 2: the comment says that these are no levels of";
+        for (comment, measure, is_refused) in [
+            ("PSA(T=0.2s)", "sa:1", true),
+            ("SA(0.2) [g]", "sa:1", true),
+            ("PGA", "sa:1", true),
+            ("PGV [cm/s]", "pga", true),
+            ("SA(0.2), rate", "sa:1", true),
+            ("SA(1.0)", "sa:1", false),
+            ("SA [g]", "sa:1", false),
+            ("PSA(T=1.0s, 5% damping) [g]", "sa:1", false),
+            ("PGA [g]", "pga", false),
+            ("intensity", "pga", false),
+            ("PGA of Rome", "pgv", false),
+            ("PGV was measured, PGA was not", "pga", false),
+        ] {
+            let text = format!("# Rome\n# {comment}\nlevel,rate\n0.1,0.01\n0.2,0.001\n");
+            let said = read(&text, measure.parse().unwrap(), None).map(|read| read.unit);
+            let said = said.map_err(|error| error.to_string());
+            assert_eq!(said.is_err_and(|said| said.starts_with(no)), is_refused, "{comment}");
         }
     }
 

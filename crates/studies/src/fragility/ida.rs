@@ -1,6 +1,7 @@
 //! The fit to an incremental dynamic analysis: each record's lowest failing level is its capacity.
 
-use super::fit::{Fit, Gap, Lognormal};
+use super::curve::Lognormal;
+use super::fit::{Fit, Gap};
 use super::link::probit;
 use super::newton::{self, Point};
 use super::runs::{RecordRuns, Weighed, weighed};

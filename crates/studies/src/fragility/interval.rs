@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::curve::Curve;
-use super::fit::{Fit, is_level};
+use super::curve::{Curve, is_level};
+use super::fit::Fit;
 use super::hazard::HazardCurve;
 use crate::statistics::Bootstrap;
 use crate::statistics::bca::{FEWEST, acceleration, ends};
@@ -115,7 +115,7 @@ impl Drawn {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fragility::fit::{Gap, Lognormal};
+    use crate::fragility::{Gap, Lognormal};
 
     /// Of two records: the first twice, each once, the second twice.
     fn of_two(first: Fit, second: Fit) -> Interval {

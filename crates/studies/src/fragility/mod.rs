@@ -10,6 +10,7 @@
 //! ```
 
 pub(crate) mod binary;
+mod bisection;
 pub(crate) mod capacity;
 pub mod cloud;
 mod curve;
@@ -41,10 +42,10 @@ pub mod table_columns;
 pub mod tables;
 
 pub use capacity::{Capacity, share_that_stands_again};
-pub use curve::Curve;
+pub use curve::{Curve, Lognormal};
 pub use estimate::{Estimate, Estimator, Note, estimate};
 pub use export::Export;
-pub use fit::{Fit, Gap, Lognormal};
+pub use fit::{Fit, Gap};
 pub use hazard::{AnnualRate, HazardCurve, in_50_years};
 pub use hazard_text::HazardText;
 pub use rates::RateEstimate;

@@ -1,7 +1,9 @@
 //! Intervals of separable data, by the profile likelihood.
 
 use super::binary::gap;
-use super::fit::{Gap, is_level};
+use super::bisection::bisected;
+use super::curve::is_level;
+use super::fit::Gap;
 use super::link::probit;
 use super::newton::{self, Point};
 use super::runs::Stripe;
@@ -82,7 +84,7 @@ impl Profile {
     fn theta(&self, end: f64, side: f64) -> Option<f64> {
         let inside = |away: f64| self.over_slopes(end + side * away) >= self.least;
         let far = (-4..10).map(|k| 2.0_f64.powi(k)).find(|away| !inside(*away))?;
-        Some(end + side * bisected(0.0, far, inside))
+        Some(end + side * bisected([0.0, far], HALVINGS, inside)[0])
     }
 
     /// The least slope 1/beta on the scaled axis; none where even a slope of zero belongs to the interval.
@@ -92,7 +94,7 @@ impl Profile {
             return None;
         }
         let far = (-4..60).map(|k| 2.0_f64.powi(k)).find(|slope| inside(*slope))?;
-        Some(bisected(far, 0.0, inside))
+        Some(bisected([far, 0.0], HALVINGS, inside)[0])
     }
 
     /// The largest value over the slopes, theta given.
@@ -143,13 +145,4 @@ impl Profile {
         }
         Point { value, gradient: [gradient, 0.0], curvature: [curvature, 0.0, 1.0] }
     }
-}
-
-/// Where being inside ends, between a number that is inside and one that is not.
-fn bisected(mut inner: f64, mut outer: f64, inside: impl Fn(f64) -> bool) -> f64 {
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (inner + outer);
-        if inside(middle) { inner = middle } else { outer = middle }
-    }
-    inner
 }

@@ -1,7 +1,7 @@
 //! The annual rate of a limit state, with what of it the data say.
 
-use super::curve::Curve;
-use super::fit::{Gap, Lognormal};
+use super::curve::{Curve, Lognormal};
+use super::fit::Gap;
 use super::hazard::HazardCurve;
 use super::runs::Stripe;
 
@@ -33,16 +33,21 @@ impl RateEstimate {
     /// The rate, 1/year, with all that may be missing at both ends of the hazard: of a curve that of the best estimate, whose interval may
     /// reach farther; without a curve the upper bound. None where there is no bound.
     pub fn with_missing(&self) -> Option<f64> {
-        let most = self.rate.or(self.high)? + self.missing_above + self.missing_below;
-        most.is_finite().then_some(most)
+        self.and_missing(self.rate.or(self.high)?)
     }
 
     /// What is compared with a target: of a curve whose interval has an upper end the best estimate, of other runs the upper bound, both with
     /// all that may be missing. None where there is no upper bound.
     pub fn judged(&self) -> Option<f64> {
         let high = self.high?;
-        let most = self.rate.filter(|_| !self.of_step).unwrap_or(high);
-        Some(most + self.missing_above + self.missing_below).filter(|most| most.is_finite())
+        let best = if self.of_step { None } else { self.rate };
+        self.and_missing(best.unwrap_or(high))
+    }
+
+    /// A rate with all that may be missing; none where that has no bound.
+    fn and_missing(&self, rate: f64) -> Option<f64> {
+        let most = rate + self.missing_above + self.missing_below;
+        most.is_finite().then_some(most)
     }
 
     /// True where what is [`judged`](RateEstimate::judged) is not above a target; false where it is, or there is no upper bound. None where
@@ -58,15 +63,15 @@ impl RateEstimate {
         stripes: &[Stripe],
         hazard: &HazardCurve,
     ) -> RateEstimate {
-        let all = hazard.rate(curve);
+        let all = hazard.rate(*curve);
         let share = |part: f64| (all.rate > 0.0).then(|| (part / all.rate).clamp(0.0, 1.0));
         let lowest = stripes.iter().filter(|stripe| stripe.z > 0.0).map(|stripe| stripe.level);
         let without_failures = lowest
             .reduce(f64::min)
-            .and_then(|lowest| share(hazard.rate_between(curve, f64::NEG_INFINITY, lowest.ln())));
+            .and_then(|lowest| share(hazard.rate_between(*curve, f64::NEG_INFINITY, lowest.ln())));
         let above_levels = stripes
             .last()
-            .and_then(|last| share(hazard.rate_between(curve, last.level.ln(), f64::INFINITY)));
+            .and_then(|last| share(hazard.rate_between(*curve, last.level.ln(), f64::INFINITY)));
         RateEstimate {
             rate: Some(all.rate),
             low: None,

@@ -194,7 +194,8 @@ impl FragilityRequest {
         self.check()?;
         let (asked, factors) = self.with_factors();
         self.suite.check_scales(suite)?;
-        let mut motions = asked.motions(suite)?;
+        let both = asked.both_directions;
+        let mut motions = WantedMotion::of_suite(suite, &asked.scene.numbers, both);
         if let Some(factors) = factors {
             motions.iter_mut().for_each(|motion| motion.factors.clone_from(&factors));
         }

@@ -1,7 +1,8 @@
 //! The fit to multiple stripes.
 
 use super::binary::{self, Binary, Line};
-use super::fit::{Fit, Lognormal};
+use super::curve::Lognormal;
+use super::fit::Fit;
 use super::link::probit;
 use super::runs::Stripe;
 

@@ -14,6 +14,8 @@ use super::suite_runs::SuiteRuns;
 use crate::statistics::Bootstrap;
 use crate::suites::Groups;
 use crate::suites::swept::SuiteSweep;
+use crate::uncertain::Varied;
+use topple::scene::Scene;
 use topple::work::observer::{Observer, Phase};
 use topple::work::threads::install;
 
@@ -132,6 +134,12 @@ impl Study {
         let fits: Vec<&Estimate> =
             self.cells[cell].states.iter().map(|state| &state.estimates[0]).collect();
         order::crossings(&self.settings.states, &fits, self.settings.hazard.as_ref())
+    }
+
+    /// The scene under the first motion without the numbers that are not known.
+    pub fn known(&self) -> Scene {
+        let unknown = self.settings.unknown.as_ref();
+        Varied::fixed(&self.sweep.scene, unknown.map_or(&[], |unknown| &unknown.varied))
     }
 
     /// True where records count differently.

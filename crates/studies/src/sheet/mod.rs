@@ -36,13 +36,17 @@ pub(crate) struct Cell<'a> {
 }
 
 impl<'a> Sheet<'a> {
-    /// A table whose first row is its heading; none of a text without rows.
+    /// A table whose first row is its heading; none of a text without rows. `is_words` is true of the names of columns in which words
+    /// stand, also where they look like numbers.
     ///
     /// # Errors
     /// A column that stands twice, and what makes no row.
-    pub fn of(mut rows: Rows<'a>) -> Result<Option<Sheet<'a>>, TableError> {
+    pub fn of(
+        mut rows: Rows<'a>,
+        is_words: impl Fn(&str) -> bool,
+    ) -> Result<Option<Sheet<'a>>, TableError> {
         let Some(Row { line, cells: names }) = rows.next().transpose()? else { return Ok(None) };
-        Sheet::named(line, names, rows).map(Some)
+        Sheet::named(line, names, rows, is_words).map(Some)
     }
 
     /// The rows that are left, with the names of their columns.
@@ -53,6 +57,7 @@ impl<'a> Sheet<'a> {
         line: usize,
         names: Vec<Cow<'a, str>>,
         rows: Rows<'a>,
+        is_words: impl Fn(&str) -> bool,
     ) -> Result<Sheet<'a>, TableError> {
         let mut known = BTreeSet::new();
         for name in names.iter().filter(|name| !name.is_empty()) {
@@ -60,7 +65,7 @@ impl<'a> Sheet<'a> {
                 return Err(TableError::of_cell(line, name, "it stands twice; leave one out"));
             }
         }
-        let decimals = Decimals::of(&rows, &names);
+        let decimals = Decimals::of(&rows, |at| names.get(at).is_some_and(|name| is_words(name)));
         Ok(Sheet { line, names, decimals, rows })
     }
 
@@ -128,6 +133,26 @@ impl<'a> Sheet<'a> {
     }
 }
 
+/// What may be wrong with the comments of a table that has a heading: the first that has as many cells, and no blank behind its `#`, may be
+/// a row whose name begins with `#`.
+pub fn row_in_comment(text: &str) -> Option<String> {
+    let mut rows = Rows::of(text, 1, false).ok()?;
+    let heading = rows.next()?.ok()?;
+    let columns = heading.cells.iter().filter(|name| !name.is_empty()).count();
+    let is_row = |comment: &str| {
+        let cells = comment.split(rows.separator()).count();
+        columns > 1
+            && (columns..=heading.cells.len()).contains(&cells)
+            && !comment.starts_with(char::is_whitespace)
+    };
+    let (line, _) =
+        comments(text).find(|(line, comment)| *line > heading.line && is_row(comment))?;
+    Some(format!(
+        "line {line} has the cells of a row and begins with `#`, as comments do: it is left out; put quotes around its name if it is a \
+         row, or a blank behind `#`"
+    ))
+}
+
 impl Cell<'_> {
     /// Its number; none where nothing is written.
     ///
@@ -151,7 +176,7 @@ mod tests {
     use super::*;
 
     fn error(text: &str) -> String {
-        let sheet = match Sheet::of(Rows::of(text, 1, false).unwrap()) {
+        let sheet = match Sheet::of(Rows::of(text, 1, false).unwrap(), |_| false) {
             Ok(sheet) => sheet.unwrap(),
             Err(error) => return error.to_string(),
         };
@@ -178,7 +203,8 @@ mod tests {
     fn names_tell_no_decimal_sign() {
         for name in ["2.1", "A", "1,5"] {
             let text = format!("device;k1\n{name};900.000\n");
-            let sheet = Sheet::of(Rows::of(&text, 1, false).unwrap()).unwrap().unwrap();
+            let rows = Rows::of(&text, 1, false).unwrap();
+            let sheet = Sheet::of(rows, |name| name == "device").unwrap().unwrap();
             let row = sheet.rows().next().unwrap().unwrap();
             let said = sheet.cell(&row, 1).number().unwrap_err().to_string();
             assert!(said.contains("may be 900000 or 900"), "{name}: {said}");
@@ -197,9 +223,28 @@ mod tests {
     }
 
     #[test]
+    fn a_comment_with_the_cells_of_a_row_is_doubted() {
+        for (text, line) in [
+            ("a,b\n#A,1\nB,2\n", Some(2)),
+            ("a,b,,\nB,2\n# c\n#A,1,,\n", Some(4)),
+            ("a;b\n#A,1\n#A;1\n", Some(3)),
+            ("#a,b\na,b\n# A,1\n#A\n#A,1,2\nB,2\n", None),
+            ("a\n#A\nB\n", None),
+            ("", None),
+        ] {
+            let said = row_in_comment(text).unwrap_or_default();
+            let wanted = line.map_or(String::new(), |line| format!("line {line} has the cells"));
+            assert!(
+                said.starts_with(&wanted) && said.is_empty() == line.is_none(),
+                "{text:?} {said}"
+            );
+        }
+    }
+
+    #[test]
     fn a_cell_has_its_place() {
-        let sheet =
-            Sheet::of(Rows::of("a;b\n\n0,5;200.000\n", 1, false).unwrap()).unwrap().unwrap();
+        let rows = Rows::of("a;b\n\n0,5;200.000\n", 1, false).unwrap();
+        let sheet = Sheet::of(rows, |_| false).unwrap().unwrap();
         let row = sheet.rows().next().unwrap().unwrap();
         assert_eq!(sheet.cell(&row, 0).number(), Ok(Some(0.5)));
         let error = sheet.cell(&row, 1).number().unwrap_err().to_string();

@@ -1,7 +1,5 @@
 //! Numbers of a table: which of the two signs, comma and point, is the decimal one.
 
-use std::borrow::Cow;
-
 use super::rows::Rows;
 use topple::scene::shown::shown;
 
@@ -14,24 +12,23 @@ pub struct Decimals {
 
 impl Decimals {
     /// Those of a table. Where commas or blanks separate its cells, the point is the decimal sign. Where semicolons or tabs do, the
-    /// numbers of the table tell it that have no three digits behind their sign; where none does, semicolons stand beside decimal commas.
-    /// Columns of words tell nothing: a device may be called `2.1`.
-    pub fn of(rows: &Rows, names: &[Cow<str>]) -> Decimals {
-        let separator = rows.separator();
-        if ![';', '\t'].contains(&separator) {
+    /// numbers of the table tell it that have no three digits behind their sign.
+    /// Columns of words, by their places, tell nothing: a device may be called `2.1`.
+    pub fn of(rows: &Rows, is_words: impl Fn(usize) -> bool) -> Decimals {
+        if ![';', '\t'].contains(&rows.separator()) {
             return Decimals { comma: false, point: true };
         }
         let (mut comma, mut point) = (false, false);
         for row in rows.clone().map_while(Result::ok) {
             for (at, cell) in row.cells.iter().enumerate() {
-                match sign(cell).filter(|_| !names.get(at).is_some_and(|name| is_of_words(name))) {
+                match sign(cell).filter(|_| !is_words(at)) {
                     Some((',', false)) => comma = true,
                     Some(('.', false)) => point = true,
                     _ => {}
                 }
             }
         }
-        Decimals { comma: !point && (comma || separator == ';'), point: point && !comma }
+        Decimals { comma: comma && !point, point: point && !comma }
     }
 
     /// A number; the error of one that may be either of two numbers, and of a text that is none.
@@ -55,28 +52,6 @@ impl Decimals {
             _ => text.parse().map_err(|_| none()),
         }
     }
-}
-
-/// The columns of lists in which words stand, also where they look like numbers.
-const WORDS: [&str; 12] = [
-    "device",
-    "id",
-    "event",
-    "station",
-    "horizontal",
-    "vertical",
-    "horizontal_channel",
-    "vertical_channel",
-    "units",
-    "baseline",
-    "isolation",
-    "source",
-];
-
-/// True of the name of a column of words.
-fn is_of_words(name: &str) -> bool {
-    let name = name.to_lowercase().replace('-', "_");
-    WORDS.contains(&&*name) || name.ends_with("name")
 }
 
 /// True of a number, also of one that may be either of two.
@@ -108,7 +83,7 @@ mod tests {
     use super::*;
 
     fn of(table: &str, text: &str) -> Result<f64, String> {
-        Decimals::of(&Rows::of(table, 1, true).unwrap(), &[]).number(text)
+        Decimals::of(&Rows::of(table, 1, true).unwrap(), |_| false).number(text)
     }
 
     #[test]
@@ -120,7 +95,7 @@ mod tests {
         for (table, comma, point) in [
             (commas, None, Some(1.25)),
             (blanks, None, Some(1.25)),
-            (semicolons, Some(1.25), None),
+            (semicolons, None, None),
             (decimal_commas, Some(1.25), None),
             (decimal_points, None, Some(1.25)),
             (tabs, None, None),

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::TableError;
+use super::error::TableError;
 
 /// The separators that are looked for.
 const SEPARATORS: [char; 3] = [',', ';', '\t'];
@@ -174,10 +174,14 @@ impl<'a> Iterator for Rows<'a> {
 
 /// The lines of a text that begin with `#`, without it, each with its number.
 pub fn comments(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let lines = (1..).zip(text.split('\n'));
-    lines.filter_map(|(line, text)| {
-        Some((line, text.trim().trim_start_matches('\u{feff}').strip_prefix('#')?))
-    })
+    let rest = text.trim_start_matches('\u{feff}');
+    // They are walked through as rows are, so that both have the same lines.
+    let mut lines = Rows { rest, line: 1, separator: ',', wrapped: false };
+    let walked = std::iter::from_fn(move || {
+        let (line, text) = (lines.line, first_line(lines.rest));
+        (!lines.rest.is_empty()).then(|| lines.end_line()).map(|()| (line, text))
+    });
+    walked.filter_map(|(line, text)| Some((line, text.trim().strip_prefix('#')?)))
 }
 
 fn first_line(text: &str) -> &str {
@@ -262,6 +266,14 @@ mod tests {
                 .collect();
             assert_eq!(rows(text), wanted, "{text:?}");
         }
+    }
+
+    #[test]
+    fn comments_have_the_lines_of_rows() {
+        let text = "\u{feff}# a\r1,2\r\r\n #b\n#c";
+        let found: Vec<(usize, &str)> = comments(text).collect();
+        assert_eq!(found, [(1, " a"), (4, "b"), (5, "c")]);
+        assert_eq!(rows(text), [(2, vec!["1".to_string(), "2".to_string()])]);
     }
 
     #[test]

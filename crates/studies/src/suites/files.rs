@@ -10,8 +10,8 @@ use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 use zip::ZipArchive;
 
-use super::found::Found;
-use super::{SuiteError, Unused};
+use super::SuiteError;
+use super::found::{Found, Unused};
 use topple::scene::bounded;
 use topple::scene::record::zips;
 
@@ -162,7 +162,8 @@ impl Files {
         self.place.join(written.map_or(OsStr::new(name), OsString::as_os_str))
     }
 
-    /// The bytes of a file that may be none of the suite's, if it has `most` at most: they count among no others.
+    /// The bytes of a file that may be none of the suite's: in a folder if it has `most` at most, and they count among no others; in a zip
+    /// as [`read`](Files::read) has them.
     pub fn peek(&self, name: &str, most: u64) -> Option<Vec<u8>> {
         if self.archive.is_some() {
             return self.read(name).ok().map(|read| read.bytes);

@@ -9,12 +9,19 @@ use std::path::Path;
 
 use zip::ZipArchive;
 
-use super::Unused;
-
 /// Folders within folders that are looked into.
 const DEPTH: usize = 6;
 /// Most files of a folder and its folders whose names are held; most of them are no records.
 const MOST: usize = 1_000_000;
+
+/// A file that no motion is made of.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unused {
+    /// Its name.
+    pub file: String,
+    /// What it is, and why it is not used.
+    pub why: String,
+}
 
 /// What is in a folder and in its folders, or in a zip.
 #[derive(Default)]

@@ -8,9 +8,12 @@ use rayon::prelude::*;
 use super::entry::Entry;
 use super::files::Files;
 use super::names::{self, Component};
-use super::unused::{LARGEST, LOOKED_AT};
+use super::unused::LARGEST;
 use topple::scene::record::{RecordHints, Stated, read};
 use topple::scene::shown::shown;
+
+/// Files that are looked into for what they state; of more the names alone count.
+const LOOKED_AT: usize = 2000;
 
 /// A component of a motion: a file, or a channel of one.
 #[derive(Debug, Clone)]

@@ -28,6 +28,9 @@ const COLUMNS: [&str; 12] = [
     "weight",
 ];
 
+/// Those of numbers; in the others words stand.
+const NUMBERS: [&str; 3] = ["dt", "scale", "weight"];
+
 /// The number of a cell; none where nothing is written.
 pub(super) fn positive(cell: Cell) -> Result<Option<f64>, TableError> {
     let text = shown(cell.text);
@@ -41,29 +44,13 @@ pub(super) fn positive(cell: Cell) -> Result<Option<f64>, TableError> {
     }
 }
 
-/// The units of a cell; none where nothing is written.
-fn units(cell: Cell) -> Result<Option<Units>, TableError> {
-    let text = cell.text;
-    match Units::named(text) {
-        _ if text.is_empty() => Ok(None),
-        Some(units) => Ok(Some(units)),
-        None => {
-            let text = shown(text);
-            Err(cell.refused(format!("{text} is not known; give g, m/s2, cm/s2 or gal")))
-        }
+/// What the word of a cell stands for, of `known` ones; none where nothing is written.
+fn word<T>(cell: Cell, of: fn(&str) -> Option<T>, known: &str) -> Result<Option<T>, TableError> {
+    if cell.text.is_empty() {
+        return Ok(None);
     }
-}
-
-/// What is subtracted from the velocity of a motion; none where nothing is written.
-fn baseline(cell: Cell) -> Result<Option<Baseline>, TableError> {
-    match Baseline::of_key(cell.text) {
-        _ if cell.text.is_empty() => Ok(None),
-        Some(baseline) => Ok(Some(baseline)),
-        None => {
-            let text = shown(cell.text);
-            Err(cell.refused(format!("{text} is not known; give none or line")))
-        }
-    }
+    let refused = || cell.refused(format!("{} is not known; give {known}", shown(cell.text)));
+    of(cell.text).map(Some).ok_or_else(refused)
 }
 
 /// Most lines of a list: each may have files of its own, of which no more are looked at.
@@ -114,7 +101,8 @@ pub fn is_measures(text: &str) -> bool {
 /// The entries of a list; its files lie beside it, or below.
 pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, TableError> {
     let empty = || TableError::whole("it has no line below its heading; give a motion a line");
-    let sheet = Sheet::of(Rows::of(text, 1, false)?)?.ok_or_else(empty)?;
+    let is_words = |name: &str| !NUMBERS.contains(&&*name.to_lowercase());
+    let sheet = Sheet::of(Rows::of(text, 1, false)?, is_words)?.ok_or_else(empty)?;
     let names: Vec<String> = sheet.names.iter().map(|name| name.to_lowercase()).collect();
     let columns = || COLUMNS.join(",");
     if !names.iter().any(|heading| heading == "horizontal") {
@@ -167,8 +155,8 @@ pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, TableEr
         if entry.weight != 1.0 {
             entry.notes.push(format!("weight {}", entry.weight));
         }
-        entry.units = units(cell("units"))?;
-        entry.baseline = baseline(cell("baseline"))?;
+        entry.units = word(cell("units"), Units::named, "g, m/s2, cm/s2 or gal")?;
+        entry.baseline = word(cell("baseline"), Baseline::of_key, "none or line")?;
         entry.channels =
             ["horizontal_channel", "vertical_channel"].map(|key| text(key).map(String::from));
         // Files of one name in two folders get ids of their own.

@@ -43,7 +43,7 @@ pub mod wanted;
 pub use entry::{Entry, Motion};
 pub use error::SuiteError;
 pub use falling::Falling;
+pub use found::Unused;
 pub use read::Suite;
 pub use request::SuiteRequest;
 pub use resample::{Groups, Resample};
-pub use unused::Unused;

@@ -31,8 +31,9 @@ pub fn read(text: &str, name: &str, files: &Files) -> Result<Vec<Entry>, TableEr
     let words = || text.split_inclusive('\n').take_while(|line| !is_heading(line));
     let start: usize = words().map(str::len).sum();
     let empty = || TableError::whole("its table is empty; give the list of a download");
+    let is_words = |name: &str| plain(name).to_lowercase().ends_with("name");
     let table = Rows::of(&text[start..], 1 + words().count(), false)?;
-    let sheet = Sheet::of(table)?.ok_or_else(empty)?;
+    let sheet = Sheet::of(table, is_words)?.ok_or_else(empty)?;
     let column = |name: &str| {
         let place = sheet.names.iter().position(|heading| plain(heading) == name);
         place.ok_or_else(|| {

@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-use super::Suite;
 use super::entry::{Entry, Motion};
 use topple::scene::record::Stated;
 
@@ -64,26 +63,23 @@ pub(super) fn of_stated(stated: &Stated) -> Option<(String, bool)> {
     known.then(stream)?.zip(stated.corrected)
 }
 
-impl Suite {
-    /// Leaves out motions of files that are not corrected where the corrected files of the same stream are a motion, too: by what
-    /// the files state, or by their names. What a list names is as the list says.
-    pub(super) fn leave_out_uncorrected(&mut self) {
-        let mut corrected: HashMap<&str, &str> = HashMap::new();
-        for (entry, motion) in &self.rows {
-            if let (Ok(_), Some(streams)) = (motion, streams(entry, true)) {
-                corrected.extend(streams.map(|stream| (stream, &*entry.id)));
-            }
+/// Leaves out motions of files that are not corrected where the corrected files of the same stream are a motion, too: by what
+/// the files state, or by their names. What a list names is as the list says.
+pub(super) fn leave_out_uncorrected(rows: &mut [(Entry, Result<Motion, String>)]) {
+    let mut corrected: HashMap<&str, &str> = HashMap::new();
+    for (entry, motion) in &*rows {
+        if let (Ok(_), Some(streams)) = (motion, streams(entry, true)) {
+            corrected.extend(streams.map(|stream| (stream, &*entry.id)));
         }
-        let twin = |(entry, motion): &(Entry, Result<Motion, String>)| {
-            let mut streams = motion.as_ref().ok().and(streams(entry, false))?;
-            streams.find_map(|stream| corrected.get(stream).map(|id| (*id).to_string()))
-        };
-        let twins: Vec<Option<String>> = self.rows.iter().map(twin).collect();
-        for ((entry, motion), twin) in self.rows.iter_mut().zip(twins) {
-            let Some(twin) = twin.filter(|_| !entry.listed) else { continue };
-            *motion =
-                Err(format!("not corrected; the corrected record of the same stream is {twin}"));
-        }
+    }
+    let twin = |(entry, motion): &(Entry, Result<Motion, String>)| {
+        let mut streams = motion.as_ref().ok().and(streams(entry, false))?;
+        streams.find_map(|stream| corrected.get(stream).map(|id| (*id).to_string()))
+    };
+    let twins: Vec<Option<String>> = rows.iter().map(twin).collect();
+    for ((entry, motion), twin) in rows.iter_mut().zip(twins) {
+        let Some(twin) = twin.filter(|_| !entry.listed) else { continue };
+        *motion = Err(format!("not corrected; the corrected record of the same stream is {twin}"));
     }
 }
 

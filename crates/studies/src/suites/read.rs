@@ -9,9 +9,10 @@ use rayon::prelude::*;
 
 use super::entry::{Entry, Motion};
 use super::files::Files;
+use super::found::Unused;
 use super::measures::Measures;
-use super::unused::{self, Unused};
-use super::{SuiteError, grouped, list, peer, processing};
+use super::{SuiteError, grouped, list, peer, processing, unused};
+use crate::sheet::row_in_comment;
 use topple::scene::parameters::ACCEPTED;
 use topple::scene::record::zips::MOST_FILES;
 use topple::scene::record::{Baseline, Pair, Record, RecordFile, joined, text};
@@ -30,6 +31,8 @@ pub struct Suite {
     pub rows: Vec<(Entry, Result<Motion, String>)>,
     /// Files that are no part of any line.
     pub unused: Vec<Unused>,
+    /// What may be wrong with its lists, in words.
+    pub doubts: Vec<String>,
 }
 
 /// How a suite is read.
@@ -58,7 +61,7 @@ impl Suite {
     pub fn read_as(path: &Path, reading: Reading) -> Result<Suite, SuiteError> {
         let Reading { strict, baseline } = reading;
         let files = Files::of(path)?;
-        let (entries, unused) = entries(path, &files)?;
+        let Lines { entries, unused, doubts } = entries(path, &files)?;
         let entries = with_own_ids(entries);
         if entries.is_empty() {
             return Err(SuiteError::Empty { path: path.into(), unused: unused.len() });
@@ -76,10 +79,10 @@ impl Suite {
         if samples.into_inner() > MOST_SAMPLES {
             return Err(SuiteError::Large { path: path.into(), most: MOST_SAMPLES });
         }
-        let mut suite = Suite { rows, unused };
+        let mut suite = Suite { rows, unused, doubts };
         suite.check_factors(path)?;
         suite.leave_out_copies();
-        suite.leave_out_uncorrected();
+        processing::leave_out_uncorrected(&mut suite.rows);
         if let (None, Some((entry, reason))) = (suite.motions().next(), suite.left_out().next()) {
             let (id, reason) = (entry.id.clone(), reason.to_string());
             return Err(SuiteError::NoMotion { count: suite.rows.len(), id, reason });
@@ -99,7 +102,8 @@ impl Suite {
 
     /// Refuses factors of a list that make more of a motion than any ground has.
     fn check_factors(&self, path: &Path) -> Result<(), SuiteError> {
-        for (entry, motion) in self.motions() {
+        // What is not scaled is as strong as its file has it.
+        for (entry, motion) in self.motions().filter(|(entry, _)| entry.scale != 1.0) {
             let [pga_h, pga_v] =
                 [motion.pair.pga_h, motion.pair.pga_v].map(|peak| peak / entry.scale);
             let before = Pair { pga_h, pga_v, ..motion.pair.clone() };
@@ -157,28 +161,45 @@ fn checksum(pair: &Pair) -> u64 {
     hasher.finish()
 }
 
-/// The lines of a suite, and files that none of them has.
-fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), SuiteError> {
+/// The lines of a suite, files that none of them has, and what may be wrong with lists.
+#[derive(Default)]
+struct Lines {
+    entries: Vec<Entry>,
+    unused: Vec<Unused>,
+    doubts: Vec<String>,
+}
+
+fn entries(path: &Path, files: &Files) -> Result<Lines, SuiteError> {
     let refused = |path: &Path, problem: String| SuiteError::List {
         path: path.into(),
         problem: shown::line(&problem),
     };
     let is_list = path.is_file()
         && ["csv", "tsv", "txt"].iter().any(|own| ending(&path.to_string_lossy(), own));
+    let is_sheet = ["xlsx", "xls", "ods"].iter().any(|own| ending(&path.to_string_lossy(), own));
+    if path.is_file() && is_sheet {
+        let problem =
+            "a list in a spreadsheet is not read; save its sheet as CSV beside the records";
+        return Err(refused(path, problem.to_string()));
+    }
     if path.is_file() && !is_list && !ending(&path.to_string_lossy(), "zip") {
         let problem = "neither a folder, a zip nor a list (.csv); give the folder of the records";
         return Err(refused(path, problem.to_string()));
     }
+    let mut doubts = Vec::new();
     let mut lists: BTreeSet<&str> = BTreeSet::new();
     let mut listed: Vec<Entry> = Vec::new();
     if is_list {
         let bytes = bounded::read(path, LARGEST_LIST)
             .map_err(|reason| SuiteError::Read { path: path.into(), reason })?;
         let text = text::decoded(&bytes).map_err(|error| refused(path, error.to_string()))?;
-        let read = if peer::matches(&text) { peer::read } else { list::read };
-        let entries =
-            read(&text, "", files).map_err(|problem| refused(path, problem.to_string()))?;
-        return Ok((of_list(entries), Vec::new()));
+        let (read, doubt) = match peer::matches(&text) {
+            true => (peer::read(&text, "", files), None),
+            false => (list::read(&text, "", files), doubt(path, &text)),
+        };
+        let entries = read.map_err(|problem| refused(path, problem.to_string()))?;
+        let doubts = doubt.into_iter().collect();
+        return Ok(Lines { entries: of_list(entries), doubts, ..Lines::default() });
     }
     for name in files.names().iter().filter(|name| ending(name, "csv") || ending(name, "tsv")) {
         let Some(bytes) = files.peek(name, LARGEST_LIST) else { continue };
@@ -186,7 +207,10 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), Suit
         let Ok(text) = text::decoded(&bytes) else { continue };
         let read = match (peer::matches(&text), list::matches(&text)) {
             (true, _) => peer::read(&text, name, files),
-            (_, true) => list::read(&text, name, files),
+            (_, true) => {
+                doubts.extend(doubt(&files.path(name), &text));
+                list::read(&text, name, files)
+            }
             _ => continue,
         };
         let read = read.map_err(|problem| refused(&files.path(name), problem.to_string()))?;
@@ -220,7 +244,12 @@ fn entries(path: &Path, files: &Files) -> Result<(Vec<Entry>, Vec<Unused>), Suit
     let mut unused = unused::explained(unused, files, !lists.is_empty())
         .map_err(|(name, problem)| refused(&files.path(&name), problem))?;
     unused.extend(files.others().iter().cloned());
-    Ok((listed, unused))
+    Ok(Lines { entries: listed, unused, doubts })
+}
+
+/// What may be wrong with a list of one's own.
+fn doubt(path: &Path, text: &str) -> Option<String> {
+    row_in_comment(text).map(|doubt| format!("{}: {doubt}", path.display()))
 }
 
 /// Lines of a list, as such.

@@ -1,5 +1,7 @@
 //! Numbers as tables show them, against limits.
 
+use topple::scene::shown::decimal;
+
 /// True where a number of a cell is beyond a limit as tables show it: with the digits that tell it from its neighbours. A limit that is
 /// copied from a table is kept by the cell that it was copied from.
 pub(crate) fn is_beyond(value: f32, limit: f64) -> bool {
@@ -8,7 +10,7 @@ pub(crate) fn is_beyond(value: f32, limit: f64) -> bool {
     if (own - limit).abs() > own.abs() * f64::from(f32::EPSILON) {
         return own > limit;
     }
-    value.to_string().parse().unwrap_or(own) > limit
+    decimal(value) > limit
 }
 
 #[cfg(test)]

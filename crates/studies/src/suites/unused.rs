@@ -1,27 +1,18 @@
 //! Files that are no part of a suite's motions: what each is, and why it is not used.
 
+use std::collections::HashSet;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
 use super::files::Files;
+use super::found::Unused;
 use super::list;
-use super::naming::Naming;
+use super::naming::{self, Naming};
 use topple::scene::record::read::format_of;
 use topple::scene::record::text;
 use topple::scene::{bounded, shown};
 
-/// A file that no motion is made of.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Unused {
-    /// Its name.
-    pub file: String,
-    /// What it is, and why it is not used.
-    pub why: String,
-}
-
-/// Files that are looked into for what they state; of more the names alone count.
-pub(super) const LOOKED_AT: usize = 2000;
 /// Largest file that is looked into, bytes: of a larger one it takes too long.
 pub(super) const LARGEST: usize = 4 << 20;
 /// Most bytes of all files that are looked into to say what they are.
@@ -39,8 +30,8 @@ pub(super) fn explained(
     files: &Files,
     listed: bool,
 ) -> Result<Vec<Unused>, (String, String)> {
-    let seen = AtomicU64::new(0);
-    let explain = |file: String| match why(&file, files, listed, &seen) {
+    let (seen, stems) = (AtomicU64::new(0), naming::stems(files));
+    let explain = |file: String| match why(&file, files, listed, (&seen, &stems)) {
         Ok(why) => Ok(Unused { file, why }),
         Err(problem) => Err((file, problem)),
     };
@@ -51,8 +42,13 @@ fn ending(name: &str) -> String {
     name.rsplit_once('.').map_or_else(String::new, |(_, ending)| ending.to_ascii_lowercase())
 }
 
-/// What a file is; the error of one that can only be a list. `seen` are the bytes of the files before.
-fn why(name: &str, files: &Files, listed: bool, seen: &AtomicU64) -> Result<String, String> {
+/// What a file is; the error of one that can only be a list. `seen` are the bytes of the files before, `stems` those of all files.
+fn why(
+    name: &str,
+    files: &Files,
+    listed: bool,
+    (seen, stems): (&AtomicU64, &HashSet<&str>),
+) -> Result<String, String> {
     let by_ending = ending(name);
     match by_ending.as_str() {
         "xlsx" | "xls" | "ods" if !listed && is_called_a_list(name) => {
@@ -64,13 +60,13 @@ fn why(name: &str, files: &Files, listed: bool, seen: &AtomicU64) -> Result<Stri
         "vt2" | "dt2" => return Ok("velocities or displacements of PEER, no acceleration".into()),
         _ => {}
     }
-    let path = files.path(name);
-    if path.is_dir() {
+    let about = files.path(name).metadata().ok();
+    if about.as_ref().is_some_and(|about| about.is_dir()) {
         return Ok(
             "a link to a folder, which is not followed; put the files themselves there".into()
         );
     }
-    let size = path.metadata().map_or(0, |about| about.len());
+    let size = about.map_or(0, |about| about.len());
     if size > LARGEST as u64 {
         return Ok(format!("{NO_COMPONENT}; it has {}", bounded::size(size)));
     }
@@ -89,9 +85,8 @@ fn why(name: &str, files: &Files, listed: bool, seen: &AtomicU64) -> Result<Stri
     }
     // What is no record's text may name files, too: JSON, XML.
     let plain = text::plain(&bytes);
-    if let Some(naming) = Naming::of(&plain, files) {
+    if let Some(naming) = Naming::of(&plain, files, stems) {
         let file = shown::shown(naming.first);
-        let heading = plain.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
         if list::is_meant(&plain) {
             return Err(format!(
                 "it names {file}, and its heading is that of a list; save it as CSV, with commas between its fields and \
@@ -101,6 +96,7 @@ fn why(name: &str, files: &Files, listed: bool, seen: &AtomicU64) -> Result<Stri
         // Results of a study name records by their ids, which are no names of files.
         let by_name = naming.first.contains('.');
         if by_name && matches!(by_ending.as_str(), "csv" | "tsv") {
+            let heading = plain.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
             return Err(format!(
                 "it names {file}, as a list does, and its heading '{}' has no column 'horizontal'; give \
                  id,horizontal,vertical,dt,units,scale,weight, or the list of a download from PEER; if it is no list, take it out of the \
@@ -118,7 +114,7 @@ fn why(name: &str, files: &Files, listed: bool, seen: &AtomicU64) -> Result<Stri
                  list (CSV: id,horizontal,vertical,scale), or take it out of the folder"
             ));
         }
-        if naming.count > 1 {
+        if naming.several {
             return Ok(format!("it names {file} and others; nothing in it is applied to them"));
         }
     }

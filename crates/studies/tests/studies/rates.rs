@@ -175,7 +175,7 @@ fn curves_of_ordered_limit_states_that_cross_are_found() {
     let level = one.level.unwrap();
     near(a.probability(level), b.probability(level), 1.0e-9);
     // The share is the integral of the difference up to there, by parts with the closed form of each curve.
-    let part = |of: &Curve| hazard().rate_between(of, f64::NEG_INFINITY, level.ln());
+    let part = |of: &Curve| hazard().rate_between(*of, f64::NEG_INFINITY, level.ln());
     let rate = wide.rate.unwrap().rate.unwrap();
     near(one.share.unwrap(), (part(&a) - part(&b)) / rate, 1.0e-6);
     assert!(one.share.unwrap() > 0.1, "{one:?}");
