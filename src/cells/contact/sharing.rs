@@ -1,13 +1,13 @@
 //! Whether the cells of a grid share their motions in [full contact](super::full_contact), and how much memory these take.
 
 use super::dependence::{Dependence, shared_amplitude};
-use super::shared_motion::Direction;
 use crate::cells::laws::Laws;
 use crate::cells::plan::Plan;
 use crate::cells::window::Combinations;
 use crate::model::precision::Precision;
 use crate::scene::{Excitation, Grid};
 use crate::stepping::certificate::STEPS_A_TRY;
+use crate::stepping::spans::Direction;
 
 /// Largest memory for the motions, bytes; where a grid needs more, each cell integrates its own full contact.
 const MOST_MEMORY: usize = 1 << 29;

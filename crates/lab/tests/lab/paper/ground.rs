@@ -28,7 +28,10 @@ fn least_asking(scene: &Scene, asked: usize) -> Vec<Least> {
     let (least, word) = boundary::least(scene, &swept(scene), &bisection, &Unwatched).unwrap();
     let within = boundary::within(&Grid::of(scene));
     say(&format!("a boundary: {word:?}, bisected to {within:.1e} m/s²"));
-    assert!(word.asked == asked && word.found == asked && word.farthest <= 3.0 * within, "{word:?}");
+    assert!(
+        word.asked == asked && word.found == asked && word.farthest <= 3.0 * within,
+        "{word:?}"
+    );
     least
 }
 
