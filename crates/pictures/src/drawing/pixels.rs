@@ -239,7 +239,7 @@ mod tests {
         let (across, down) = extent(style(40.0), "HH");
         assert!(near(down, (112, 139)) && near(across, (143, 193)), "{across:?} {down:?}");
         let (across, down) = extent(style(40.0).end(), "HH");
-        assert!(near(down, (112, 139)) && near(across, (84, 136)), "{across:?} {down:?}");
+        assert!(near(down, (112, 139)) && near(across, (88, 136)), "{across:?} {down:?}");
         let (across, down) = extent(style(40.0).middle().upwards(), "HH");
         assert!(near(across, (112, 139)) && near(down, (115, 165)), "{across:?} {down:?}");
         // An index is below the line.
