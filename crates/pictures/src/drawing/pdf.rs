@@ -13,6 +13,7 @@ use super::pdf_fonts::{self, Fonts};
 use super::picture::{Mark, Paint, Picture, Step};
 use super::text::Style;
 use super::{glyphs, raster};
+use topple::results::colour::{Colour, WHITE};
 
 /// A picture on a page: where its upper left corner lies from that of the page, points, and a factor on its size.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,7 +54,7 @@ pub fn pages(
             let scale = scale * picture.points().0 / width;
             page.within([scale, 0.0, 0.0, scale, *x, *y], |page| {
                 let paper = Place { x: 0.0, y: 0.0, width, height };
-                page.shape(&Mark::Rectangle(paper, Paint::Fill([255; 3], 1.0)));
+                page.shape(&paper.steps(), Paint::Fill(WHITE, 1.0), false);
                 page.marks(&picture.marks, &mut writer)
             })?;
         }
@@ -195,24 +196,9 @@ pub(super) fn outline(content: &mut Content, steps: &[Step]) {
     }
 }
 
-/// The share of a full circle's quarter at which the control points of its curve lie, over its radius.
-const ROUND: f64 = 0.552_284_75;
-
-/// A circle as four curves.
-fn circle((x, y): Point, radius: f64) -> Vec<Step> {
-    let at = |a: f64, b: f64| (x + radius * a, y + radius * b);
-    let quarter = |(a, b): Point, (c, d): Point| {
-        Step::Cubic(at(a + ROUND * c, b + ROUND * d), at(c + ROUND * a, d + ROUND * b), at(c, d))
-    };
-    let [right, low, left, high] = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)];
-    vec![
-        Step::Move(at(1.0, 0.0)),
-        quarter(right, low),
-        quarter(low, left),
-        quarter(left, high),
-        quarter(high, right),
-        Step::Close,
-    ]
+/// A colour as PDF writes it.
+fn rgb(colour: Colour) -> [f32; 3] {
+    colour.map(|value| f32::from(value) / 255.0)
 }
 
 impl Page {
@@ -235,12 +221,16 @@ impl Page {
     fn marks(&mut self, marks: &[Mark], to: &mut Writer) -> Result<(), FigureError> {
         for mark in marks {
             match mark {
-                Mark::Rectangle(..) | Mark::Path(..) | Mark::Circle(..) => self.shape(mark),
+                Mark::Rectangle(..) | Mark::Path(..) | Mark::Circle(..) => {
+                    if let Some((steps, paint, round)) = mark.shape() {
+                        self.shape(&steps, paint, round);
+                    }
+                }
                 Mark::Text { at, style, text } => self.text(*at, *style, text, &mut to.fonts),
                 Mark::Image { place, png, .. } => self.image(*place, to.image(png)?),
                 Mark::Clip(place, inner) => {
                     self.content.save_state();
-                    self.rectangle(*place);
+                    outline(&mut self.content, &place.steps());
                     self.content.clip_nonzero().end_path();
                     self.marks(inner, to)?;
                     self.content.restore_state();
@@ -248,10 +238,6 @@ impl Page {
             }
         }
         Ok(())
-    }
-
-    fn rectangle(&mut self, Place { x, y, width, height }: Place) {
-        self.content.rect(x as f32, y as f32, width as f32, height as f32);
     }
 
     fn through(&mut self, opacity: f64) {
@@ -262,47 +248,32 @@ impl Page {
         self.content.set_parameters(Name(name_of(share).as_bytes()));
     }
 
-    /// Draws a rectangle, a path or a circle.
-    fn shape(&mut self, mark: &Mark) {
-        let (paint, join) = match mark {
-            Mark::Rectangle(_, paint) | Mark::Circle(_, _, paint) => {
-                (paint, LineJoinStyle::MiterJoin)
-            }
-            Mark::Path(_, paint) => (paint, LineJoinStyle::RoundJoin),
-            _ => return,
-        };
-        let share = |value: u8| f32::from(value) / 255.0;
-        match *paint {
+    fn shape(&mut self, steps: &[Step], paint: Paint, round: bool) {
+        match paint {
             Paint::Fill(colour, opacity) => {
                 self.through(opacity);
-                let [r, g, b] = colour.map(share);
+                let [r, g, b] = rgb(colour);
                 self.content.set_fill_rgb(r, g, b);
+                outline(&mut self.content, steps);
+                self.content.fill_nonzero();
             }
             Paint::Line(Stroke { colour, width, dash }) => {
                 self.through(1.0);
-                let [r, g, b] = colour.map(share);
+                let [r, g, b] = rgb(colour);
                 self.content.set_stroke_rgb(r, g, b).set_line_width(width as f32);
+                let join = if round { LineJoinStyle::RoundJoin } else { LineJoinStyle::MiterJoin };
                 self.content.set_line_join(join);
                 let dash = dash.map(|(dash, gap)| [dash as f32, gap as f32]);
                 self.content.set_dash_pattern(dash.into_iter().flatten(), 0.0);
+                outline(&mut self.content, steps);
+                self.content.stroke();
             }
         }
-        match mark {
-            Mark::Rectangle(place, _) => self.rectangle(*place),
-            Mark::Path(steps, _) => outline(&mut self.content, steps),
-            Mark::Circle(at, radius, _) => outline(&mut self.content, &circle(*at, *radius)),
-            _ => {}
-        }
-        match paint {
-            Paint::Fill(..) => self.content.fill_nonzero(),
-            Paint::Line(_) => self.content.stroke(),
-        };
     }
 
     fn text(&mut self, at: Point, style: Style, text: &str, fonts: &mut Fonts) {
-        let share = |value: u8| f32::from(value) / 255.0;
         self.through(1.0);
-        let [r, g, b] = style.colour.map(share);
+        let [r, g, b] = rgb(style.colour);
         self.content.set_fill_rgb(r, g, b);
         self.content.begin_text();
         let line: Vec<(glyphs::Glyph, (usize, u8))> = glyphs::line(style, text)

@@ -7,6 +7,7 @@ use pdf_writer::types::{SystemInfo, UnicodeCmap};
 use pdf_writer::{Content, Filter, Name, Pdf, Rect, Ref, Str};
 use skrifa::GlyphId;
 
+use super::canvas::Point;
 use super::error::FigureError;
 use super::font::Font;
 use super::glyphs::{Glyph, Pen};
@@ -64,8 +65,6 @@ impl Fonts {
                 Name(b"Letters"),
                 SystemInfo { registry: Str(b"Adobe"), ordering: Str(b"UCS"), supplement: 0 },
             );
-            // What all glyphs lie in.
-            let mut all = Bounds::NONE;
             for (code, (entry, glyph)) in entries.iter().zip(&glyphs).enumerate() {
                 if !entry.letters.is_empty() {
                     map.pair_with_multiple(code as u8, entry.letters.chars());
@@ -73,9 +72,7 @@ impl Fonts {
                 let mut steps = Vec::new();
                 let place = |x: f32, y: f32| (f64::from(x), f64::from(y));
                 entry.font.draw(entry.id, UNITS, &mut Pen { steps: &mut steps, place });
-                let own = Bounds::of(&steps);
-                all = all.with(own);
-                let [left, low, right, high] = own.corners();
+                let [left, low, right, high] = bounds(&steps);
                 let mut content = Content::new();
                 content.start_shape_glyph(entry.width(), left, low, right, high);
                 if !steps.is_empty() {
@@ -88,8 +85,8 @@ impl Fonts {
             let data = deflated(&map.finish())?;
             pdf.stream(unicode, &data).filter(Filter::FlateDecode);
             let mut font = pdf.type3_font(id);
-            let [left, low, right, high] = all.corners();
-            font.bbox(Rect::new(left, low, right, high));
+            // Each glyph says what it lies in.
+            font.bbox(Rect::new(0.0, 0.0, 0.0, 0.0));
             let unit = (1.0 / UNITS) as f32;
             font.matrix([unit, 0.0, 0.0, unit, 0.0, 0.0]);
             font.first_char(0).last_char((entries.len() - 1) as u8);
@@ -120,32 +117,10 @@ impl Entry {
     }
 }
 
-/// Least and largest coordinates: left, low, right, high.
-#[derive(Clone, Copy)]
-struct Bounds([f64; 4]);
-
-impl Bounds {
-    const NONE: Bounds =
-        Bounds([f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY]);
-
-    /// Those of a path: its control points lie around it.
-    fn of(steps: &[Step]) -> Bounds {
-        let points = steps.iter().flat_map(|step| match *step {
-            Step::Move(to) | Step::Line(to) => vec![to],
-            Step::Quad(by, to) => vec![by, to],
-            Step::Cubic(by, and, to) => vec![by, and, to],
-            Step::Close => vec![],
-        });
-        points.fold(Bounds::NONE, |all, (x, y)| all.with(Bounds([x, y, x, y])))
-    }
-
-    fn with(self, other: Bounds) -> Bounds {
-        let (Bounds([a, b, c, d]), Bounds([e, f, g, h])) = (self, other);
-        Bounds([a.min(e), b.min(f), c.max(g), d.max(h)])
-    }
-
-    /// None of nothing.
-    fn corners(self) -> [f32; 4] {
-        self.0.map(|of| if of.is_finite() { of as f32 } else { 0.0 })
-    }
+/// Least and largest coordinates of a path: left, low, right, high. Its curves lie within their control points.
+fn bounds(steps: &[Step]) -> [f32; 4] {
+    let points = || steps.iter().flat_map(|step| step.points());
+    let least = |of: fn(Point) -> f64| points().map(of).reduce(f64::min).unwrap_or(0.0) as f32;
+    let most = |of: fn(Point) -> f64| points().map(of).reduce(f64::max).unwrap_or(0.0) as f32;
+    [least(|at| at.0), least(|at| at.1), most(|at| at.0), most(|at| at.1)]
 }

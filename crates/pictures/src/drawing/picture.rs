@@ -1,5 +1,7 @@
 //! A picture: its size and its marks, of which an SVG, pixels and the page of a PDF are made.
 
+use std::borrow::Cow;
+
 use super::canvas::{Place, Point, Stroke};
 use super::error::FigureError;
 use super::text::Style;
@@ -60,6 +62,55 @@ pub(super) enum Step {
     /// One of the third degree.
     Cubic(Point, Point, Point),
     Close,
+}
+
+impl Step {
+    /// Its points, the last of which is where it ends.
+    pub fn points(self) -> Vec<Point> {
+        match self {
+            Step::Move(to) | Step::Line(to) => vec![to],
+            Step::Quad(by, to) => vec![by, to],
+            Step::Cubic(by, and, to) => vec![by, and, to],
+            Step::Close => vec![],
+        }
+    }
+}
+
+/// The control points of a quarter of a circle lie at this share of its radius.
+const ROUND: f64 = 0.552_284_75;
+
+impl Place {
+    /// Its edge.
+    pub(super) fn steps(self) -> Vec<Step> {
+        let Place { x, y, .. } = self;
+        let (right, bottom) = (self.right(), self.bottom());
+        let corners = [(right, y), (right, bottom), (x, bottom)].map(Step::Line);
+        [&[Step::Move((x, y))], &corners[..], &[Step::Close]].concat()
+    }
+}
+
+impl Mark {
+    /// What is drawn of a shape, and how, with round corners of its lines where it is a path.
+    pub fn shape(&self) -> Option<(Cow<'_, [Step]>, Paint, bool)> {
+        Some(match self {
+            Mark::Path(steps, paint) => (steps.into(), *paint, true),
+            Mark::Rectangle(place, paint) => (place.steps().into(), *paint, false),
+            Mark::Circle((x, y), radius, paint) => {
+                let at = |(a, b): Point| (x + radius * a, y + radius * b);
+                let quarter = |[(a, b), (c, d)]: [Point; 2]| {
+                    let (by, and) =
+                        ((a + ROUND * c, b + ROUND * d), (c + ROUND * a, d + ROUND * b));
+                    Step::Cubic(at(by), at(and), at((c, d)))
+                };
+                let [right, low, left, high] = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)];
+                let ends = [[right, low], [low, left], [left, high], [high, right]];
+                let quarters = ends.map(quarter);
+                let circle = [&[Step::Move(at(right))], &quarters[..], &[Step::Close]].concat();
+                (circle.into(), *paint, false)
+            }
+            _ => return None,
+        })
+    }
 }
 
 impl Picture {

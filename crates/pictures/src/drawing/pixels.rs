@@ -61,19 +61,9 @@ impl Paper {
     fn marks(&mut self, marks: &[Mark], within: Option<&Mask>) -> Result<(), FigureError> {
         for mark in marks {
             match mark {
-                Mark::Rectangle(place, paint) => {
-                    self.shape(rectangle(*place), *paint, LineJoin::Miter, within);
-                }
-                Mark::Path(steps, paint) => {
-                    self.shape(path(steps), *paint, LineJoin::Round, within);
-                }
-                Mark::Circle((x, y), radius, paint) => {
-                    let circle = PathBuilder::from_circle(*x as f32, *y as f32, *radius as f32);
-                    self.shape(circle, *paint, LineJoin::Miter, within);
-                }
                 Mark::Text { at, style, text } => {
-                    let outline = path(&glyphs::outline(*at, *style, text));
-                    self.shape(outline, Paint::Fill(style.colour, 1.0), LineJoin::Miter, within);
+                    let outline = glyphs::outline(*at, *style, text);
+                    self.shape(&outline, Paint::Fill(style.colour, 1.0), false, within);
                 }
                 Mark::Image { place, png, sharp } => self.image(*place, png, *sharp, within)?,
                 Mark::Clip(place, inner) => {
@@ -81,19 +71,18 @@ impl Paper {
                         self.marks(inner, Some(&mask))?;
                     }
                 }
+                Mark::Rectangle(..) | Mark::Path(..) | Mark::Circle(..) => {
+                    if let Some((steps, paint, round)) = mark.shape() {
+                        self.shape(&steps, paint, round, within);
+                    }
+                }
             }
         }
         Ok(())
     }
 
-    fn shape(
-        &mut self,
-        path: Option<Path>,
-        paint: Paint,
-        line_join: LineJoin,
-        within: Option<&Mask>,
-    ) {
-        let Some(path) = path else { return };
+    fn shape(&mut self, steps: &[Step], paint: Paint, round: bool, within: Option<&Mask>) {
+        let Some(path) = path(steps) else { return };
         let mut ink = Ink::default();
         match paint {
             Paint::Fill([r, g, b], opacity) => {
@@ -104,6 +93,7 @@ impl Paper {
                 ink.set_color_rgba8(r, g, b, 255);
                 let dash = dash.map(|(dash, gap)| vec![dash as f32, gap as f32]);
                 let dash = dash.and_then(|dash| StrokeDash::new(dash, 0.0));
+                let line_join = if round { LineJoin::Round } else { LineJoin::Miter };
                 let width = width as f32;
                 let stroke = tiny_skia::Stroke { width, line_join, dash, ..Default::default() };
                 self.pixmap.stroke_path(&path, &ink, &stroke, self.scale, within);
@@ -140,7 +130,7 @@ impl Paper {
 
     /// What lies in a place, and within the mask before.
     fn cut(&self, place: Place, within: Option<&Mask>) -> Option<Mask> {
-        let path = rectangle(place)?;
+        let path = path(&place.steps())?;
         let mask = match within {
             Some(mask) => {
                 let mut mask = mask.clone();
@@ -155,11 +145,6 @@ impl Paper {
         };
         Some(mask)
     }
-}
-
-fn rectangle(Place { x, y, width, height }: Place) -> Option<Path> {
-    let rect = Rect::from_xywh(x as f32, y as f32, width as f32, height as f32)?;
-    Some(PathBuilder::from_rect(rect))
 }
 
 fn path(steps: &[Step]) -> Option<Path> {

@@ -54,17 +54,15 @@ const JOIN: &str = " stroke-linejoin=\"round\"";
 fn path(steps: &[Step]) -> String {
     let mut path = String::new();
     for step in steps {
-        let (letter, points) = match *step {
-            Step::Move(to) => ('M', vec![to]),
-            Step::Line(to) => ('L', vec![to]),
-            Step::Quad(by, to) => ('Q', vec![by, to]),
-            Step::Cubic(by, and, to) => ('C', vec![by, and, to]),
-            Step::Close => ('Z', vec![]),
-        };
-        path.push(letter);
-        let numbers: Vec<String> =
-            points.into_iter().flat_map(|(x, y)| [short(x), short(y)]).collect();
-        path += &numbers.join(" ");
+        path.push(match step {
+            Step::Move(_) => 'M',
+            Step::Line(_) => 'L',
+            Step::Quad(..) => 'Q',
+            Step::Cubic(..) => 'C',
+            Step::Close => 'Z',
+        });
+        let points = step.points().into_iter();
+        path += &points.flat_map(|(x, y)| [short(x), short(y)]).collect::<Vec<_>>().join(" ");
     }
     path
 }
