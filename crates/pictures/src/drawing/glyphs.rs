@@ -28,6 +28,8 @@ pub struct Glyph {
 /// The glyphs of a text, in their order from left to right.
 pub fn line(style: Style, text: &str) -> Vec<Glyph> {
     let Some(own) = &*font::OWN else { return Vec::new() };
+    let others = letters::fonts(text);
+    let font_of = |letter: char| others.get(&letter).copied().flatten().unwrap_or(own);
     let mut glyphs = Vec::new();
     let mut x = 0.0;
     for run in text::runs(text, style.size) {
@@ -42,7 +44,7 @@ pub fn line(style: Style, text: &str) -> Vec<Glyph> {
         };
         let mut rest = run.text.as_str();
         while !rest.is_empty() {
-            let (font, part, after) = alike(rest, own);
+            let (font, part, after) = alike(rest, font_of);
             x = shape(&mut glyphs, font, part, (x, y), run.size);
             rest = after;
         }
@@ -62,8 +64,7 @@ fn is_leftward(letter: char) -> bool {
 }
 
 /// The first letters of a text that are of one font and of one direction, with the spaces between them, and those after them.
-fn alike<'a>(text: &'a str, own: &'static Font) -> (&'static Font, &'a str, &'a str) {
-    let font_of = |letter: char| letters::font_of(letter).unwrap_or(own);
+fn alike(text: &str, font_of: impl Fn(char) -> &'static Font) -> (&'static Font, &str, &str) {
     let first = text.chars().next().unwrap_or(' ');
     let (font, leftward) = (font_of(first), is_leftward(first));
     let mut end = first.len_utf8().min(text.len());
@@ -91,13 +92,14 @@ fn shape(
     let shaped = font.shaper.shaper(&font.face).build().shape(buffer, ShapeOptions::new());
     let infos = shaped.glyph_infos();
     let scaled = |length: i32| size * f64::from(length) / font.units;
+    // Where the letters of glyphs begin, and where the last of them end.
     let mut clusters: Vec<usize> = infos.iter().map(|info| info.cluster as usize).collect();
     clusters.push(text.len());
     clusters.sort_unstable();
     for (number, (info, place)) in infos.iter().zip(shaped.glyph_positions()).enumerate() {
         let from = info.cluster as usize;
         let is_first = number == 0 || infos[number - 1].cluster != info.cluster;
-        let to = clusters.iter().find(|end| **end > from).copied().unwrap_or(text.len());
+        let to = clusters[clusters.partition_point(|end| *end <= from)];
         let id = GlyphId::new(info.glyph_id);
         glyphs.push(Glyph {
             font,

@@ -13,8 +13,16 @@ use super::font::{self, Font};
 use super::picture::Picture;
 use super::text;
 
-/// The letters that were looked for until now, each with the font that has it.
-static SOUGHT: Mutex<BTreeMap<char, Option<&'static Font>>> = Mutex::new(BTreeMap::new());
+/// What was looked for until now.
+static SOUGHT: Mutex<Sought> =
+    Mutex::new(Sought { letters: BTreeMap::new(), fonts: BTreeMap::new() });
+
+struct Sought {
+    /// Letters, each with the font that has it.
+    letters: BTreeMap<char, Option<&'static Font>>,
+    /// Fonts with one of them, by their files; they are kept as long as the program runs.
+    fonts: BTreeMap<PathBuf, &'static Font>,
+}
 
 /// Files of fonts of the machine, upright and of usual weight first.
 static OF_THE_MACHINE: LazyLock<Vec<PathBuf>> = LazyLock::new(|| {
@@ -74,44 +82,50 @@ fn lacking(text: &str) -> BTreeSet<char> {
     text.chars().filter(|letter| font::lacks(*letter)).collect()
 }
 
-/// Looks for letters in the fonts of the machine: each letter takes the first font that has it, and such a font is kept as long as
-/// the program runs.
+impl Sought {
+    /// The font of a file, where it has outlines of one of some letters.
+    fn font(&mut self, file: &Path, letters: &[char]) -> Option<&'static Font> {
+        if let Some(font) = self.fonts.get(file) {
+            return Some(font);
+        }
+        let bytes = fs::read(file).ok()?;
+        let face = FontRef::from_index(&bytes, 0).ok()?;
+        face.outline_glyphs().format()?;
+        let has = face.charmap();
+        letters.iter().find(|letter| has.map(**letter).is_some())?;
+        let font: &'static Font = Box::leak(Box::new(Font::of(bytes.leak())?));
+        self.fonts.insert(file.into(), font);
+        Some(font)
+    }
+}
+
+/// Looks for letters in the fonts of the machine: each letter takes the first font that has it.
 fn seek(letters: &BTreeSet<char>) -> BTreeMap<char, Option<&'static Font>> {
     let mut sought = SOUGHT.lock().unwrap_or_else(PoisonError::into_inner);
-    let mut left: Vec<char> =
-        letters.iter().filter(|letter| !sought.contains_key(letter)).copied().collect();
+    let is_new = |letter: &&char| !sought.letters.contains_key(letter);
+    let mut left: Vec<char> = letters.iter().filter(is_new).copied().collect();
     for file in &*OF_THE_MACHINE {
         if left.is_empty() {
             break;
         }
-        let has = |bytes: &[u8]| {
-            let Ok(face) = FontRef::from_index(bytes, 0) else { return false };
-            let characters = face.charmap();
-            left.iter().any(|letter| characters.map(*letter).is_some())
-        };
-        let Some(bytes) = fs::read(file).ok().filter(|bytes| has(bytes)) else { continue };
-        let Some(font) = Font::of(bytes.leak()) else { continue };
-        let font: &'static Font = Box::leak(Box::new(font));
-        left.retain(|letter| {
-            let has = font.has(*letter);
-            if has {
-                sought.insert(*letter, Some(font));
-            }
-            !has
-        });
+        let Some(font) = sought.font(file, &left) else { continue };
+        let (has, lacks): (Vec<char>, _) = left.iter().partition(|letter| font.has(**letter));
+        sought.letters.extend(has.into_iter().map(|letter| (letter, Some(font))));
+        left = lacks;
     }
-    sought.extend(left.into_iter().map(|letter| (letter, None)));
-    letters.iter().map(|letter| (*letter, sought.get(letter).copied().flatten())).collect()
+    sought.letters.extend(left.into_iter().map(|letter| (letter, None)));
+    letters.iter().map(|letter| (*letter, sought.letters.get(letter).copied().flatten())).collect()
 }
 
-/// The font of the machine that draws a letter which that of the pictures lacks; none where it has it, or where no font does.
-pub(super) fn font_of(letter: char) -> Option<&'static Font> {
-    font::lacks(letter).then(|| seek(&BTreeSet::from([letter]))[&letter]).flatten()
+/// The fonts of the machine for the letters of a text which that of the pictures lacks; none for a letter that no font has.
+pub(super) fn fonts(text: &str) -> BTreeMap<char, Option<&'static Font>> {
+    let letters = lacking(text);
+    if letters.is_empty() { BTreeMap::new() } else { seek(&letters) }
 }
 
 /// The letters of a text that no font has.
 fn boxed(text: &str) -> BTreeSet<char> {
-    let none = seek(&lacking(text)).into_iter().filter(|(_, font)| font.is_none());
+    let none = fonts(text).into_iter().filter(|(_, font)| font.is_none());
     none.map(|(letter, _)| letter).collect()
 }
 
@@ -173,7 +187,7 @@ impl fmt::Display for Missing {
 
 #[cfg(test)]
 mod tests {
-    use super::{font_of, lacking, missing};
+    use super::{fonts, lacking, missing};
     use crate::drawing::canvas::Canvas;
     use crate::drawing::picture::Picture;
     use crate::drawing::text::style;
@@ -200,7 +214,7 @@ mod tests {
         let text = "Ünïcødé αβγδεζηθ Москва ≥ ≤ ≈ ± × · − – … ° ² ³ √ ∞ ü";
         assert!(lacking(text).is_empty(), "{:?}", lacking(text));
         assert_eq!(missing([&picture(&format!("{text} v\u{308}_g"))]), None);
-        assert!(text.chars().all(|letter| font_of(letter).is_none()));
+        assert!(fonts(text).is_empty());
         assert!(!lacking("免震 مخمد 면진 🙂").is_empty());
     }
 
