@@ -17,7 +17,6 @@ use topple_lab::chart::table::{self, Row};
 use topple_lab::chart::trial::{self, Method, Trial};
 use topple_lab::chart::truth::{self, Solution};
 use topple_lab::chart::{figure, peers};
-use topple_pictures::drawing::render;
 
 use super::options::flag_error;
 use super::print::print_line;
@@ -180,8 +179,8 @@ fn draw(out: &Directory, benches: &[Bench], rows: &[Row]) -> anyhow::Result<()> 
         if of_bench.is_empty() {
             continue;
         }
-        let svg = figure::draw(&bench.title, &of_bench)?;
-        write_picture(out, bench.name, &svg, &render::png(&svg)?)?;
+        let picture = figure::draw(&bench.title, &of_bench)?;
+        write_picture(out, bench.name, &picture, &picture.png()?)?;
     }
     Ok(())
 }

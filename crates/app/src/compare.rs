@@ -6,7 +6,6 @@ use serde::Serialize;
 use topple::results::earlier::Kind;
 use topple::scene::record::text::decoded;
 use topple::scene::{Grid, Parameter, Scene, Values, path_text};
-use topple_pictures::drawing::render;
 use topple_pictures::studies::comparison as picture;
 use topple_studies::comparison::{
     self, Comparison, ComparisonError, ComparisonJob, ComparisonRequest, Device, RateRequest,
@@ -178,13 +177,13 @@ impl CompareCommand {
         let mut compared = Comparison::of(swept, settings);
         let devices = counted(compared.devices.len(), "device");
         let motions = counted(compared.records(), "motion");
-        let svg = picture::draw(&compared, &format!("{devices} under {motions}"), print);
+        let drawn = picture::draw(&compared, &format!("{devices} under {motions}"), print);
         let mut files = vec![TABLE.to_string()];
-        files.extend(svg.iter().flat_map(|_| picture_files(PICTURE)));
+        files.extend(drawn.iter().flat_map(|_| picture_files(PICTURE)));
         out.begin(files, &say)?;
         out.write(TABLE, |w| comparison::write(&compared, w))?;
-        if let Some(svg) = &svg {
-            out.picture(PICTURE, svg, &render::png(svg)?)?;
+        if let Some(drawn) = &drawn {
+            out.picture(PICTURE, drawn, &drawn.png()?)?;
         }
         let settings = &compared.settings;
         told::warn_of_few(&settings.groups);
@@ -234,7 +233,7 @@ impl CompareCommand {
         compare_words::tell(&compared, im, &say);
         suite_run::tell_verified(&compared.sweep, &say);
         compared.sweep.discard_saved()?;
-        match svg {
+        match drawn {
             Some(_) => say.line("picture", out.file(&picture_files(PICTURE)[1]).display()),
             None => {
                 let most = picture::MOST;

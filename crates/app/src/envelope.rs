@@ -4,7 +4,6 @@ use serde::Serialize;
 use topple::results::earlier::Kind;
 use topple::scene::Grid;
 use topple::scene::record::rounded;
-use topple_pictures::drawing::render;
 use topple_pictures::drawing::share::percent;
 use topple_pictures::studies::{envelope as envelope_picture, envelope_curves};
 use topple_studies::suites::envelope::{
@@ -126,18 +125,18 @@ impl EnvelopeCommand {
         let swept = &envelope.sweep;
         let title = format!("Envelope of {} motions", envelope.records());
         let mut files = [TABLE, ZETA].map(String::from).to_vec();
-        let svg = match swept.grid.line() {
+        let drawn = match swept.grid.line() {
             Some(axis) => Some(envelope_curves::draw(&envelope, axis, &title, print)),
             None => envelope_picture::draw(&envelope, &title, print)?,
         };
-        if svg.is_some() {
+        if drawn.is_some() {
             files.extend(picture_files(PICTURE));
         }
         out.begin(files, &say)?;
         out.write(TABLE, |w| envelope::write(&envelope, w))?;
         out.write(ZETA, |w| envelope::write_zeta(&envelope, w))?;
-        if let Some(svg) = &svg {
-            out.picture(PICTURE, svg, &render::png(svg)?)?;
+        if let Some(drawn) = &drawn {
+            out.picture(PICTURE, drawn, &drawn.png()?)?;
         }
         let best = envelope.best();
         let groups = envelope.settings.intervals.as_ref().map(|(groups, _)| groups);
@@ -164,7 +163,7 @@ impl EnvelopeCommand {
         tell(&envelope, &best, &say);
         suite_run::tell_verified(swept, &say);
         envelope.sweep.discard_saved()?;
-        if svg.is_some() {
+        if drawn.is_some() {
             let [_, png] = picture_files(PICTURE);
             say.line("picture", out.file(&png).display());
         }

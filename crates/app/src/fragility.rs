@@ -7,8 +7,8 @@ use topple::backend::backend_error::BackendError;
 use topple::results::earlier::Kind;
 use topple::scene::{Values, path_text};
 use topple_pictures::drawing::error::FigureError;
+use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::print::Print;
-use topple_pictures::drawing::render;
 use topple_pictures::studies::fragility as picture;
 use topple_studies::fragility::limit_state::LimitState;
 use topple_studies::fragility::study::Study;
@@ -246,8 +246,8 @@ impl FragilityCommand {
         for export in exports() {
             out.write(export.file(), |w| export.write(&study, self.im, w))?;
         }
-        for (name, svg, png) in &figures {
-            out.picture(name, svg, png)?;
+        for (name, drawn, png) in &figures {
+            out.picture(name, drawn, png)?;
         }
         told::warn(&study, self.im, self.levels.as_ref());
         told::warn_of_falling(falling, (self.im, self.levels.as_ref()));
@@ -326,9 +326,9 @@ impl FragilityCommand {
     /// The pictures of a study.
     fn figures(&self, study: &Study, print: Print) -> Result<Vec<Figure>, FigureError> {
         let grid = &study.sweep.grid;
-        let finish = |name: String, svg: String| -> Result<Figure, FigureError> {
-            let png = render::png(&svg)?;
-            Ok((name, svg, png))
+        let finish = |name: String, drawn: Picture| -> Result<Figure, FigureError> {
+            let png = drawn.png()?;
+            Ok((name, drawn, png))
         };
         if grid.len() == 1 {
             return Ok(vec![finish(PICTURE.into(), picture::curves(study, self.im, print))?]);

@@ -16,7 +16,6 @@ use topple::scene::record::Provenance;
 use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::settings::Method;
-use topple_pictures::drawing::render;
 use topple_pictures::map::figure::history as figure;
 
 use super::load::load;
@@ -164,13 +163,13 @@ pub fn run_cell(scene: &Scene, more: &MoreColumns, options: &RunOptions) -> anyh
     if outcome.loses_contact() {
         words::warn(words::TENSILE);
     }
-    let svg = figure::draw(scene, &case, &rows, &outcome, print)?;
-    let png = render::png(&svg)?;
+    let picture = figure::draw(scene, &case, &rows, &outcome, print)?;
+    let png = picture.png()?;
     out.begin(files.to_vec(), &Reporter::unless(options.quiet))?;
     let forces = if more.is_empty() { Vec::new() } else { motion::forces(scene, &case, &rows) };
     out.write("history.csv", |w| table::write(&rows, (more, &forces), w))?;
     out.write(EVENTS, |w| table::write_events(&motion::events(&rows, &outcome), w))?;
-    out.picture("history", &svg, &png)?;
+    out.picture("history", &picture, &png)?;
     let backend = if options.backend() == BackendRequest::Reference { "reference" } else { "cpu" };
     let manifest = Manifest {
         scene,

@@ -12,8 +12,8 @@ use topple::sweep::map::MapSweep;
 use topple::work::observed::ObservedOutcomes;
 use topple::work::observer::{Observer, Phase};
 use topple_pictures::drawing::error::FigureError;
+use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::print::Print;
-use topple_pictures::drawing::render;
 use topple_pictures::map::figure::fields::Field;
 use topple_pictures::map::figure::{field, fields, main, spectra};
 use topple_pictures::map::slices::{MOST, Slice};
@@ -90,8 +90,8 @@ pub fn spectra(out: &Directory, map: &Map, print: Print) -> anyhow::Result<()> {
     if let Some(spectrum) = Spectrum::of(map) {
         out.write(SPECTRUM, |w| spectrum.write(map, w))?;
     }
-    if let Some(svg) = spectra::draw(map, print)? {
-        write_picture(out, SPECTRA, &svg, &render::png(&svg)?)?;
+    if let Some(picture) = spectra::draw(map, print)? {
+        write_picture(out, SPECTRA, &picture, &picture.png()?)?;
     }
     Ok(())
 }
@@ -138,15 +138,15 @@ pub fn tables(
 /// Draws the slices of a map and writes the pictures; the paths of those that stand for it.
 pub fn pictures(out: &Directory, slices: &[Slice], print: Print) -> anyhow::Result<Vec<PathBuf>> {
     let figures = draw(slices, print)?;
-    for (name, svg, png) in &figures {
-        write_picture(out, name, svg, png)?;
+    for (name, picture, png) in &figures {
+        write_picture(out, name, picture, png)?;
     }
     let maps = figures.iter().filter(|(name, ..)| name.starts_with(MAIN));
     Ok(maps.map(|(name, ..)| out.file(&format!("{name}.png"))).collect())
 }
 
-/// A picture's name, its SVG and its PNG.
-pub type Figure = (String, String, Vec<u8>);
+/// A picture, its name before and its PNG behind it.
+pub type Figure = (String, Picture, Vec<u8>);
 
 /// The name of a slice's picture.
 fn name_of(number: usize) -> String {
@@ -167,9 +167,9 @@ fn contact(asked: ColumnSet) -> Vec<&'static Field> {
 
 /// The picture of a map that stands for all of it.
 fn main_figure(map: &Map, at: &str, name: &str, print: Print) -> Result<Figure, FigureError> {
-    let svg = main::draw(map, at, print)?;
-    let png = render::png(&svg)?;
-    Ok((name.into(), svg, png))
+    let picture = main::draw(map, at, print)?;
+    let png = picture.png()?;
+    Ok((name.into(), picture, png))
 }
 
 /// The pictures of a map: its outcomes for a pulse, its fields for a record, curves along one axis.
@@ -178,9 +178,9 @@ fn figures(map: &Map, print: Print) -> Result<Vec<Figure>, FigureError> {
     if map.scene.excitation.record().is_none() || !has_fields(&map.grid) {
         return Ok(figures);
     }
-    let finish = |name: &str, svg: String| -> Result<Figure, FigureError> {
-        let png = render::png(&svg)?;
-        Ok((name.into(), svg, png))
+    let finish = |name: &str, picture: Picture| -> Result<Figure, FigureError> {
+        let png = picture.png()?;
+        Ok((name.into(), picture, png))
     };
     let shown: Vec<_> = fields_of(map.scene, map.columns).collect();
     let others: Vec<Figure> = shown

@@ -8,7 +8,6 @@ use topple::results::block::bytes_a_cell;
 use topple::scene::record::Provenance;
 use topple::scene::{Grid, Scene};
 use topple::sweep::settings::Method;
-use topple_pictures::drawing::render;
 use topple_pictures::drawing::share::percent;
 use topple_pictures::studies::probability as picture;
 use topple_studies::uncertain::Uncertainty;
@@ -85,14 +84,15 @@ pub fn run(scene: &Scene, options: &MapOptions, place: Place) -> anyhow::Result<
     let all = swept.map_err(sweep_error)?;
     let began = Instant::now();
     let mut files = vec![TABLE.to_string()];
-    let svg = picture::draw(&all, &uncertainty, options.run.pictures.print().map_err(InputError)?)?;
-    if svg.is_some() {
+    let drawn =
+        picture::draw(&all, &uncertainty, options.run.pictures.print().map_err(InputError)?)?;
+    if drawn.is_some() {
         files.extend(picture_files(PICTURE));
     }
     out.begin(files, &say)?;
     out.write(TABLE, |w| probability::write(&all, &uncertainty, w))?;
-    if let Some(svg) = &svg {
-        out.picture(PICTURE, svg, &render::png(svg)?)?;
+    if let Some(drawn) = &drawn {
+        out.picture(PICTURE, drawn, &drawn.png()?)?;
     }
     let cells = grid.len() * uncertainty.samples as usize;
     let manifest = Manifest {
@@ -122,7 +122,7 @@ pub fn run(scene: &Scene, options: &MapOptions, place: Place) -> anyhow::Result<
     if sampled > 0 {
         say.line("reference", words::reference(sampled, differ, all.differ_inside));
     }
-    match svg {
+    match drawn {
         Some(_) => say.line("picture", out.file("probability.png").display()),
         None => say.line("picture", "none: it has one axis or two of several values"),
     }

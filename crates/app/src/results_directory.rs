@@ -11,6 +11,7 @@ use topple::results::files::{Directory, WriteError};
 use topple::results::lock::Lock;
 use topple::results::store::Store;
 use topple_pictures::drawing::letters;
+use topple_pictures::drawing::picture::Picture;
 use topple_studies::suites::saved;
 
 use super::words::{self, Reporter};
@@ -31,10 +32,15 @@ pub fn picture_files(name: &str) -> [String; 2] {
 }
 
 /// Writes a picture as NAME.svg and NAME.png, and warns of letters that no font has.
-pub fn write_picture(out: &Directory, name: &str, svg: &str, png: &[u8]) -> Result<(), WriteError> {
-    words::warn_of_letters(letters::missing(svg));
+pub fn write_picture(
+    out: &Directory,
+    name: &str,
+    picture: &Picture,
+    png: &[u8],
+) -> Result<(), WriteError> {
+    words::warn_of_letters(letters::missing([picture]));
     let [of_svg, of_png] = picture_files(name);
-    out.write(&of_svg, |w| w.write_all(svg.as_bytes()))?;
+    out.write(&of_svg, |w| w.write_all(picture.svg().as_bytes()))?;
     out.write(&of_png, |w| w.write_all(png))?;
     Ok(())
 }
@@ -168,8 +174,8 @@ impl Results {
     }
 
     /// Writes a picture as NAME.svg and NAME.png.
-    pub fn picture(&self, name: &str, svg: &str, png: &[u8]) -> Result<(), WriteError> {
-        write_picture(&self.out, name, svg, png)
+    pub fn picture(&self, name: &str, picture: &Picture, png: &[u8]) -> Result<(), WriteError> {
+        write_picture(&self.out, name, picture, png)
     }
 
     /// The path of a file.

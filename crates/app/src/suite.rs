@@ -8,7 +8,6 @@ use topple::model::precision::Precision;
 use topple::results::earlier::Kind;
 use topple::scene::record::{Baseline, Provenance};
 use topple::scene::{path_text, shown};
-use topple_pictures::drawing::render;
 use topple_pictures::studies::suite as picture;
 use topple_studies::suites::measures::Measures;
 use topple_studies::suites::read::Reading;
@@ -169,11 +168,11 @@ impl SuiteCommand {
         let files = ["suite.csv", "suite.svg", "suite.png"];
         place.refuse_foreign(&files.map(String::from))?;
         let mut out = place.open_alone()?;
-        let svg = picture::draw(&suite, print);
-        let png = render::png(&svg)?;
+        let drawn = picture::draw(&suite, print);
+        let png = drawn.png()?;
         out.begin(files.map(String::from).to_vec(), &say)?;
         out.write(files[0], |w| table::write(&suite, w))?;
-        out.picture("suite", &svg, &png)?;
+        out.picture("suite", &drawn, &png)?;
         let manifest = Manifest {
             suite: &self.path,
             command: CommandLine::own(),

@@ -12,8 +12,9 @@ use super::session::Session;
 use super::stages::Stages;
 use super::view::{sweep, whole};
 use topple::results::{csv, npz};
+use topple_pictures::drawing::letters;
+use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::print::Print;
-use topple_pictures::drawing::{letters, render};
 use topple_pictures::map::figure::fields::{CONTACT, FIELDS};
 use topple_pictures::map::figure::{field, main};
 
@@ -72,7 +73,7 @@ pub fn run(
     let mut shown =
         shown.filter(|field| request.show.as_deref() == Some(field.column.entry().name));
     let field = shown.next();
-    let svg = || -> Result<String, Refused> {
+    let picture = || -> Result<Picture, Refused> {
         let map = whole(&map)?;
         Ok(match field {
             Some(field) => field::draw(&map, field, "", Print::default())?,
@@ -82,13 +83,13 @@ pub fn run(
     let mut file = Cursor::new(Vec::new());
     match request.kind {
         Kind::Png => {
-            let svg = svg()?;
-            if let Some(problem) = letters::missing(&svg) {
+            let picture = picture()?;
+            if let Some(problem) = letters::missing([&picture]) {
                 return Err(Refused::told(format!("{problem}; or save the SVG")));
             }
-            return Ok((render::png(&svg)?, "image/png"));
+            return Ok((picture.png()?, "image/png"));
         }
-        Kind::Svg => return Ok((svg()?.into_bytes(), "image/svg+xml")),
+        Kind::Svg => return Ok((picture()?.svg().into_bytes(), "image/svg+xml")),
         Kind::Npz => npz::write(&map.grid, &*map.outcomes, map.source(), &mut file)?,
         _ => csv::write(&map.grid, &*map.outcomes, map.method.columns, &mut file)
             .map_err(Refused::told)?,

@@ -18,7 +18,6 @@ use topple::results::column_set::ColumnSet;
 use topple::scene::Grid;
 use topple::work::observer::Unwatched;
 use topple_pictures::drawing::print::Print;
-use topple_pictures::drawing::render;
 use topple_pictures::map::Map;
 use topple_pictures::map::figure::overturning;
 
@@ -29,7 +28,9 @@ fn main() {
     let plan = Plan::new(&scene, DEFAULT_STEP).unwrap();
     let outcomes = cpu::sweep(Precision::F32, &plan, &grid, &cells, &Unwatched);
     let map = Map { scene: &scene, grid, outcomes: outcomes.into(), columns: ColumnSet::ALL };
-    time("svg, 128 x 128", || overturning::draw(&map, "", Print::default()).unwrap());
-    let svg = overturning::draw(&map, "", Print::default()).unwrap();
-    time("png of the svg", || render::png(&svg).unwrap());
+    time("marks, 128 x 128", || overturning::draw(&map, "", Print::default()).unwrap());
+    let picture = overturning::draw(&map, "", Print::default()).unwrap();
+    time("svg", || picture.svg());
+    time("outlined svg", || picture.outlined());
+    time("png", || picture.png().unwrap());
 }

@@ -5,6 +5,7 @@ use topple::scene::parameters::{Entry, Section};
 use topple::scene::record::rounded;
 use topple::scene::{Case, Device, Grid, Parameter, Scene};
 use topple_pictures::drawing::canvas::{Canvas, Place, dashed, stroke};
+use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::share::percent;
 use topple_pictures::drawing::text::{MIDDLE, style};
 use topple_pictures::drawing::{COLUMN, FONT};
@@ -31,8 +32,8 @@ pub fn case(scene: &Scene) -> Option<Case> {
     (is_length(block.half_width) && is_length(block.height) && stands).then_some(case)
 }
 
-/// Draws the block of a scene's first cell on its base, as SVG.
-pub fn draw(scene: &Scene, case: &Case) -> String {
+/// Draws the block of a scene's first cell on its base.
+pub fn draw(scene: &Scene, case: &Case) -> Picture {
     let (block, base) = (&case.block, &case.isolation);
     let scale = (MOST.0 / (2.0 * block.half_width)).min(MOST.1 / (2.0 * block.height));
     let (wide, high) = (2.0 * block.half_width * scale, 2.0 * block.height * scale);
@@ -274,7 +275,7 @@ mod tests {
 
     /// The text of a picture.
     fn words(scene: &Scene) -> String {
-        let svg = draw(scene, &case(scene).unwrap());
+        let svg = draw(scene, &case(scene).unwrap()).svg();
         svg.split('<').filter_map(|piece| Some(piece.split_once('>')?.1)).collect()
     }
 
@@ -305,7 +306,8 @@ mod tests {
             assert!(bearing.contains(part), "{part}: {bearing}");
         }
         // A base of the paper has rollers, which are circles.
-        let rings = |scene: &Scene| draw(scene, &case(scene).unwrap()).matches("<circle").count();
+        let rings =
+            |scene: &Scene| draw(scene, &case(scene).unwrap()).svg().matches("<circle").count();
         assert_eq!(rings(&scene("t_h = 1.5")), rings(&scene_of_bearing) + 3);
     }
 }

@@ -4,6 +4,7 @@
 use serde_json::Value;
 use topple::results::earlier::{Kind, RUN};
 use topple::scene::{Excitation, GRAVITY, Scene, shown, words};
+use topple_pictures::drawing::picture::Picture;
 use topple_studies::uncertain::Varied;
 
 use super::document::{Document, Piece};
@@ -173,17 +174,16 @@ fn sentence(folder: &Folder, scene: &Scene) -> String {
 
 /// The block of each run, once where several have the same.
 fn blocks(folders: &[Folder]) -> Vec<Piece> {
-    let mut drawn: Vec<String> = Vec::new();
+    let mut drawn: Vec<Picture> = Vec::new();
     let mut pieces = Vec::new();
     for folder in folders {
         let varied = folder.varied();
         for scene in folder.scenes() {
             let Some(case) = block::case(&scene) else { continue };
-            let svg = block::draw(&scene, &case);
-            if drawn.contains(&svg) || drawn.len() == BLOCKS {
+            let picture = block::draw(&scene, &case);
+            if drawn.contains(&picture) || drawn.len() == BLOCKS {
                 continue;
             }
-            let Ok(outlined) = topple_pictures::drawing::render::outlined(&svg) else { continue };
             let mut caption = block::caption(&scene, &case);
             if !varied.is_empty() {
                 let names: Vec<&str> =
@@ -193,8 +193,8 @@ fn blocks(folders: &[Folder]) -> Vec<Piece> {
                     names.join(", ")
                 );
             }
-            pieces.push(Piece::Picture(outlined, format!("{}:{caption}", scene.title)));
-            drawn.push(svg);
+            pieces.push(Piece::Picture(picture.clone(), format!("{}:{caption}", scene.title)));
+            drawn.push(picture);
         }
     }
     if !pieces.is_empty() {

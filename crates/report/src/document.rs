@@ -1,5 +1,7 @@
 //! What a report consists of, before it becomes a page or a print.
 
+use topple_pictures::drawing::picture::Picture;
+
 /// A report.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Document {
@@ -20,8 +22,8 @@ pub enum Piece {
     List(Vec<String>),
     /// A table: its columns and its rows.
     Table(Vec<String>, Vec<Vec<String>>),
-    /// A picture without text that needs a font, and what it shows.
-    Picture(String, String),
+    /// A picture, and what it shows.
+    Picture(Picture, String),
     /// Lines of a command or of a file.
     Code(Vec<String>),
 }

@@ -89,11 +89,11 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         Kind::Probability => probability(folder),
     };
     let mut before: Option<&str> = None;
-    for (name, svg) in folder.pictures()? {
+    for (name, picture) in folder.pictures()? {
         let single = folder.kind == Kind::Map && folder.number("cells") == Some(1.0);
         let own = meaning(folder.kind, if single { "single" } else { name });
         let caption = if before == Some(own) { AS_BEFORE } else { own };
-        pieces.push(Piece::Picture(svg, caption.into()));
+        pieces.push(Piece::Picture(picture, caption.into()));
         before = Some(own);
     }
     if folder.kind == Kind::Map && before.is_none() {

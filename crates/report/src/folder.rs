@@ -9,7 +9,7 @@ use topple::results::earlier::{Kind, RUN};
 use topple::results::files::WriteError;
 use topple::scene::{Parameter, Scene, bounded};
 use topple_pictures::drawing::error::FigureError;
-use topple_pictures::drawing::render;
+use topple_pictures::drawing::picture::Picture;
 use topple_studies::uncertain::Varied;
 
 /// Why there is no report.
@@ -110,20 +110,31 @@ impl Folder {
         Ok(folder)
     }
 
-    /// The pictures, by their names without an ending, as documents that need no font.
+    /// The pictures, by their names without an ending.
     ///
     /// # Errors
     /// [`ReportError::File`]: one that cannot be read.
-    pub fn pictures(&self) -> Result<Vec<(&str, String)>, ReportError> {
+    pub fn pictures(&self) -> Result<Vec<(&str, Picture)>, ReportError> {
         let names = self.files.iter().filter_map(|name| name.strip_suffix(".svg"));
         names.map(|name| Ok((name, self.picture(name)?))).collect()
     }
 
-    fn picture(&self, name: &str) -> Result<String, ReportError> {
-        let path = self.path.join(format!("{name}.svg"));
-        let text = bounded::text(&path, bounded::DOCUMENT)
-            .map_err(|error| ReportError::File(path.clone(), error.to_string()))?;
-        render::outlined(&text).map_err(|error| ReportError::File(path, error.to_string()))
+    /// A picture from its SVG; from its PNG where that is not of marks as pictures are: the outlines of a refined map, and what
+    /// was changed since.
+    fn picture(&self, name: &str) -> Result<Picture, ReportError> {
+        let read = |ending| -> Result<(PathBuf, Vec<u8>), ReportError> {
+            let path = self.path.join(format!("{name}.{ending}"));
+            match bounded::read(&path, bounded::DOCUMENT) {
+                Ok(bytes) => Ok((path, bytes)),
+                Err(error) => Err(ReportError::File(path, error.to_string())),
+            }
+        };
+        let (_, svg) = read("svg")?;
+        if let Some(picture) = std::str::from_utf8(&svg).ok().and_then(Picture::of_svg) {
+            return Ok(picture);
+        }
+        let (path, png) = read("png")?;
+        Picture::of_png(png).map_err(|error| ReportError::File(path, error.to_string()))
     }
 
     /// The rows of a table; none where the run has none of this name.

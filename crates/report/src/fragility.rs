@@ -1,6 +1,5 @@
 //! What a fragility found: its curves, the hazard of its site, how often the block fails.
 
-use topple_pictures::drawing::render;
 use topple_pictures::drawing::share::percent;
 use topple_pictures::studies::hazard;
 use topple_studies::suites::intensity::Intensity;
@@ -204,10 +203,9 @@ fn site(folder: &Folder, label: &str) -> Vec<Piece> {
     let points = folder.run.get("hazard_curve").cloned();
     let points = points.and_then(|of| serde_json::from_value::<Vec<[f64; 2]>>(of).ok());
     let Some(points) = points else { return Vec::new() };
-    let Some(svg) = hazard::draw(&points, label, folder.number("target")) else {
+    let Some(picture) = hazard::draw(&points, label, folder.number("target")) else {
         return Vec::new();
     };
-    let Ok(outlined) = render::outlined(&svg) else { return Vec::new() };
     let mut text = format!(
         "The hazard of the site, {}: how often a year the ground shakes more strongly than a level.",
         folder.text("hazard").unwrap_or_default()
@@ -222,7 +220,7 @@ fn site(folder: &Folder, label: &str) -> Vec<Piece> {
             number(target)
         );
     }
-    vec![Piece::Picture(outlined, text)]
+    vec![Piece::Picture(picture, text)]
 }
 
 /// The pieces of a fragility.

@@ -65,8 +65,8 @@ fn push(page: &mut String, piece: &Piece) {
                 "<div class=\"wide\"><table>\n<thead>{head}</thead>\n<tbody>\n{rows}</tbody>\n</table></div>"
             )
         }
-        Piece::Picture(svg, meaning) => {
-            let (data, plain) = (STANDARD.encode(svg), escaped(meaning));
+        Piece::Picture(picture, meaning) => {
+            let (data, plain) = (STANDARD.encode(picture.outlined()), escaped(meaning));
             writeln!(
                 page,
                 "<figure>\n<img alt=\"{plain}\" src=\"data:image/svg+xml;base64,{data}\">\n\
@@ -109,6 +109,8 @@ fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use topple_pictures::drawing::canvas::Canvas;
+
     use super::super::document::{Document, Piece};
     use super::write;
 
@@ -120,7 +122,7 @@ mod tests {
             Piece::Text(text.clone()),
             Piece::List(vec![text.clone()]),
             Piece::Table(vec![text.clone()], vec![vec![text.clone()]]),
-            Piece::Picture("<svg/>".into(), text.clone()),
+            Piece::Picture(Canvas::new(9.0).finish(9.0), text.clone()),
             Piece::Code(vec![text.clone()]),
         ];
         let page = write(&Document { title: text.clone(), pieces });

@@ -5,8 +5,9 @@ use topple_pictures::drawing::canvas::{Canvas, Place, stroke};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::letters::Missing;
 use topple_pictures::drawing::pdf::{self, Placed};
+use topple_pictures::drawing::picture::Picture as Drawn;
 use topple_pictures::drawing::text::{style, wrapped};
-use topple_pictures::drawing::{MILLIMETRE, letters, render};
+use topple_pictures::drawing::{MILLIMETRE, letters};
 
 use super::CREATOR;
 use super::document::{Document, Piece};
@@ -51,13 +52,13 @@ pub fn write(document: &Document) -> Result<(Vec<u8>, Option<Missing>), FigureEr
         pieces = rest;
         match piece {
             Piece::Picture(..) => {
-                let (row, after) = row_of(std::slice::from_ref(piece), rest)?;
+                let (row, after) = row_of(std::slice::from_ref(piece), rest);
                 paper.pictures(&row);
                 pieces = after;
             }
             Piece::Heading(level, text) => {
                 // A heading goes with its pictures.
-                let (row, _) = row_of(&[], rest)?;
+                let (row, _) = row_of(&[], rest);
                 let words = row.iter().map(Picture::words).fold(0.0, f64::max);
                 let with = least(&row) * (height(&row) - words) + words;
                 let with = if row.is_empty() { 0.0 } else { with };
@@ -67,14 +68,13 @@ pub fn write(document: &Document) -> Result<(Vec<u8>, Option<Missing>), FigureEr
         }
     }
     paper.turn();
-    let all: Vec<&str> = paper.pages.iter().flatten().map(|placed| placed.svg.as_str()).collect();
-    let problem = letters::missing(&all.concat());
+    let problem = letters::missing(paper.pages.iter().flatten().map(|placed| &placed.picture));
     Ok((pdf::pages(&paper.pages, PAGE, (&document.title, CREATOR))?, problem))
 }
 
 /// A picture in a row of them.
 struct Picture<'a> {
-    svg: &'a str,
+    own: &'a Drawn,
     size: (f64, f64),
     scale: f64,
     /// Width that it and its words may take.
@@ -85,12 +85,12 @@ struct Picture<'a> {
 
 impl<'a> Picture<'a> {
     /// One of so many in a row.
-    fn of(svg: &'a str, meaning: &str, count: usize) -> Result<Picture<'a>, FigureError> {
-        let (width, height) = render::size(svg)?;
+    fn of(own: &'a Drawn, meaning: &str, count: usize) -> Picture<'a> {
+        let (width, height) = own.points();
         let room = (WIDE - APART * (count as f64 - 1.0)) / count as f64;
         let scale = (room / width).min(MOST / height).min(LARGEST);
         let words = wrapped(meaning, SMALL, room);
-        Ok(Picture { svg, size: (width, height), scale, room, words })
+        Picture { own, size: (width, height), scale, room, words }
     }
 
     fn words(&self) -> f64 {
@@ -112,25 +112,22 @@ fn least(row: &[Picture]) -> f64 {
 
 /// The pictures of a row, two where the first two are narrow, among pieces of which the first ones may be apart; and what
 /// follows them.
-fn row_of<'a>(
-    first: &'a [Piece],
-    rest: &'a [Piece],
-) -> Result<(Vec<Picture<'a>>, &'a [Piece]), FigureError> {
+fn row_of<'a>(first: &'a [Piece], rest: &'a [Piece]) -> (Vec<Picture<'a>>, &'a [Piece]) {
     let mut pictures = first.iter().chain(rest).map_while(|piece| match piece {
-        Piece::Picture(svg, meaning) => Some((svg, meaning)),
+        Piece::Picture(drawn, meaning) => Some((drawn, meaning)),
         _ => None,
     });
     let (one, other) = (pictures.next(), pictures.next());
-    let Some((svg, meaning)) = one else { return Ok((Vec::new(), rest)) };
-    let is_narrow = |svg: &str| -> Result<bool, FigureError> { Ok(render::size(svg)?.0 <= NARROW) };
+    let Some((drawn, meaning)) = one else { return (Vec::new(), rest) };
+    let is_narrow = |drawn: &Drawn| drawn.points().0 <= NARROW;
     if let Some((next, its)) = other
-        && is_narrow(svg)?
-        && is_narrow(next)?
+        && is_narrow(drawn)
+        && is_narrow(next)
     {
-        let row = vec![Picture::of(svg, meaning, 2)?, Picture::of(next, its, 2)?];
-        return Ok((row, &rest[2 - first.len()..]));
+        let row = vec![Picture::of(drawn, meaning, 2), Picture::of(next, its, 2)];
+        return (row, &rest[2 - first.len()..]);
     }
-    Ok((vec![Picture::of(svg, meaning, 1)?], &rest[1 - first.len()..]))
+    (vec![Picture::of(drawn, meaning, 1)], &rest[1 - first.len()..])
 }
 
 /// Pages, and the one that is written on.
@@ -152,7 +149,7 @@ impl Paper {
         let foot = (0.5 * PAGE.0, PAGE.1 - 0.5 * MARGIN);
         self.page.text(foot, style(SMALL).middle(), &number);
         let page = std::mem::replace(&mut self.page, Canvas::new(PAGE.0));
-        let text = Placed { svg: page.finish(PAGE.1), x: 0.0, y: 0.0, scale: 1.0 };
+        let text = Placed { picture: page.finish(PAGE.1), x: 0.0, y: 0.0, scale: 1.0 };
         let mut all = vec![text];
         all.append(&mut self.pictures);
         self.pages.push(all);
@@ -209,10 +206,10 @@ impl Paper {
         self.need(smaller * (whole - words) + words);
         let drawn = smaller * (whole - words);
         let mut x = MARGIN;
-        for Picture { svg, size: (width, _), scale, room, words } in row {
+        for Picture { own, size: (width, _), scale, room, words } in row {
             let scale = smaller * scale;
             let at = x + 0.5 * (room - scale * width);
-            self.pictures.push(Placed { svg: (*svg).into(), x: at, y: self.y, scale });
+            self.pictures.push(Placed { picture: (*own).clone(), x: at, y: self.y, scale });
             let top = self.y + drawn + 2.0 + SMALL;
             for (number, line) in words.iter().enumerate() {
                 let y = top + LEADING * SMALL * number as f64;

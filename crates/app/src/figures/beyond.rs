@@ -51,11 +51,11 @@ impl Work<'_> {
             all.asked,
             all.farthest
         );
-        let svg = curves::boundaries(figure, &drawn, &[caption, self.how()])?;
+        let picture = curves::boundaries(figure, &drawn, &[caption, self.how()])?;
         let count: usize = drawn.iter().map(|(with, _)| 2 * with.len()).sum();
         self.picture(
             &figure.name,
-            &svg,
+            &picture,
             &format!("{count} boundaries, {} of them by the reference, too", all.asked),
         )
     }
@@ -82,8 +82,8 @@ impl Work<'_> {
             drawn.push(rows);
         }
         progress.finish();
-        let svg = curves::shares(figure, &drawn, &[self.how()])?;
-        self.picture(&figure.name, &svg, &format!("{cells} cells"))
+        let picture = curves::shares(figure, &drawn, &[self.how()])?;
+        self.picture(&figure.name, &picture, &format!("{cells} cells"))
     }
 
     /// Cells in motion.

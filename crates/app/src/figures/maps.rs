@@ -83,7 +83,7 @@ impl Work<'_> {
         }
         let mut caption: Vec<String> = motions.iter().map(|m| format!("{}.", m.line)).collect();
         caption.push(self.how());
-        let svg = panels::draw(figure, &maps, &caption)?;
+        let picture = panels::draw(figure, &maps, &caption)?;
         let (sampled, differ) = told.iter().fold((0, 0), |(sampled, differ), panel| {
             (sampled + panel.verification.sampled, differ + panel.verification.differ)
         });
@@ -101,7 +101,7 @@ impl Work<'_> {
         let what = format!(
             "{cells} cells in {seconds:.1} s, {differ} of {sampled} differ from the reference"
         );
-        self.picture(&figure.name, &svg, &what)
+        self.picture(&figure.name, &picture, &what)
     }
 
     /// A sample of a map's cells by the reference.
@@ -136,14 +136,14 @@ impl Work<'_> {
                 scene.case().block.eccentricity,
                 self.how()
             );
-            let svg = path::draw(&title, &map, &caption)?;
+            let picture = path::draw(&title, &map, &caption)?;
             let what = format!(
                 "{} cells, {} of {} differ from the reference",
                 map.outcomes.len(),
                 judged.differ,
                 judged.sampled
             );
-            self.picture(&name, &svg, &what)?;
+            self.picture(&name, &picture, &what)?;
         }
         Ok(())
     }

@@ -20,7 +20,7 @@ use topple_lab::figures::error::ReadError;
 use topple_lab::figures::motions::{self, Motion, Motions};
 use topple_lab::figures::text::FigureInputs;
 use topple_lab::figures::{Figure, Shows, letter};
-use topple_pictures::drawing::render;
+use topple_pictures::drawing::picture::Picture;
 
 use super::errors::of_figure;
 use super::memory;
@@ -248,9 +248,8 @@ impl Work<'_> {
     }
 
     /// Writes a figure's picture, and says where it is and what it took.
-    fn picture(&self, name: &str, svg: &str, what: &str) -> anyhow::Result<()> {
-        let png = render::png(svg)?;
-        results_directory::write_picture(&self.out, name, svg, &png)?;
+    fn picture(&self, name: &str, picture: &Picture, what: &str) -> anyhow::Result<()> {
+        results_directory::write_picture(&self.out, name, picture, &picture.png()?)?;
         self.say(&format!("{name:10} {what}; {}", self.out.file(&format!("{name}.png")).display()));
         Ok(())
     }

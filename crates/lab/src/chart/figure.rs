@@ -11,6 +11,7 @@ use topple_pictures::drawing::caption::bounded;
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::frame::{Axis, BELOW, Frame, LEFT, Written};
 use topple_pictures::drawing::legend::entry;
+use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::swatch::{Mark, Swatch};
 use topple_pictures::drawing::text::{style, wrapped};
 use topple_pictures::drawing::{COLUMN, FONT, LEADING, MARGIN, TITLE, legend};
@@ -127,11 +128,11 @@ fn lines(rows: &[Row]) -> Vec<Line<'_>> {
     lines
 }
 
-/// Draws the chart of one bench as SVG.
+/// Draws the chart of one bench.
 ///
 /// # Errors
 /// Any [`FigureError`].
-pub fn draw(title: &str, rows: &[Row]) -> Result<String, FigureError> {
+pub fn draw(title: &str, rows: &[Row]) -> Result<Picture, FigureError> {
     let lines = lines(rows);
     let panels: Vec<&Panel> =
         PANELS.iter().filter(|panel| rows.iter().any(|row| (panel.value)(row).is_some())).collect();

@@ -10,8 +10,9 @@ use topple::stepping::outcome::Outcome;
 use topple_pictures::drawing::canvas::{Canvas, Place, Point, Stroke, stroke};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::frame::{Axis, BOTH, Frame, LEFT};
+use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::text::style;
-use topple_pictures::drawing::{FONT, TITLE, render};
+use topple_pictures::drawing::{FONT, TITLE};
 
 /// Frames a second.
 const RATE: f64 = 12.5;
@@ -85,7 +86,7 @@ pub fn draw(title: &str, cells: &[Moving]) -> Result<Vec<u8>, FigureError> {
         u16::try_from(length).map_err(|_| failed(format!("{length} pixels are too many")))
     };
     let mut bytes = Vec::new();
-    let first = render::frame(&still(title, cells, 0.0))?;
+    let first = still(title, cells, 0.0).frame()?;
     let (width, height) = (side(first.width())?, side(first.height())?);
     let mut encoder =
         gif::Encoder::new(&mut bytes, width, height, &[]).map_err(|e| failed(e.to_string()))?;
@@ -93,7 +94,7 @@ pub fn draw(title: &str, cells: &[Moving]) -> Result<Vec<u8>, FigureError> {
     let mut before: Option<Vec<u8>> = None;
     for k in 0..=frames {
         // The paper is white and opaque: no pixel's colour is scaled by its opacity.
-        let mut rgba = render::frame(&still(title, cells, f64::from(k) / RATE))?.take();
+        let mut rgba = still(title, cells, f64::from(k) / RATE).frame()?.take();
         let whole = rgba.clone();
         // A pixel that is as it was stays: it is transparent.
         for (pixel, old) in rgba.chunks_exact_mut(4).zip(before.iter().flat_map(|b| b.chunks(4))) {
@@ -111,8 +112,8 @@ pub fn draw(title: &str, cells: &[Moving]) -> Result<Vec<u8>, FigureError> {
     Ok(bytes)
 }
 
-/// The picture at a time, as SVG.
-pub fn still(title: &str, cells: &[Moving], t: f64) -> String {
+/// The picture at a time.
+pub fn still(title: &str, cells: &[Moving], t: f64) -> Picture {
     let mut canvas = Canvas::new(COLUMN * cells.len().max(1) as f64);
     canvas.text((7.0, 5.0 + TITLE), style(TITLE), &format!("{title}, t = {t:.2} s"));
     for (k, moving) in cells.iter().enumerate() {

@@ -12,6 +12,7 @@ use topple_pictures::drawing::caption::{bounded, listed};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::frame::{Axis, Frame};
 use topple_pictures::drawing::legend::{self, Entry, entry};
+use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::swatch::Swatch;
 use topple_pictures::drawing::text::{style, wrapped};
 use topple_pictures::drawing::{FONT, MARGIN, TITLE};
@@ -32,7 +33,7 @@ struct Curves<'a> {
 
 impl Curves<'_> {
     /// Draws all panels; `paint` draws what is in one.
-    fn draw(&self, paint: impl Fn(usize, &mut Canvas, &Frame)) -> String {
+    fn draw(&self, paint: impl Fn(usize, &mut Canvas, &Frame)) -> Picture {
         let figure = self.figure;
         let (mut shared, own) = parameters::split(figure.panels.iter().map(|panel| &panel.scene));
         shared.retain(|part| !self.swept.is_some_and(|symbol| part.starts_with(symbol)));
@@ -68,7 +69,7 @@ pub fn boundaries(
     figure: &Figure,
     curves: &[(Vec<Least>, Vec<Least>)],
     caption: &[String],
-) -> Result<String, FigureError> {
+) -> Result<Picture, FigureError> {
     let all = || curves.iter().flat_map(|(with, without)| with.iter().chain(without));
     let last = all().map(|least| least.omega).fold(0.0, f64::max);
     let highest = all().filter_map(|least| least.a_h).fold(0.0, f64::max);
@@ -117,7 +118,7 @@ pub fn shares(
     figure: &Figure,
     rows: &[Vec<(f64, Shares)>],
     caption: &[String],
-) -> Result<String, FigureError> {
+) -> Result<Picture, FigureError> {
     let eccentricities = || rows.iter().flatten().map(|(eccentricity, _)| *eccentricity);
     let low = eccentricities().fold(f64::INFINITY, f64::min);
     let high = eccentricities().fold(f64::NEG_INFINITY, f64::max);

@@ -12,6 +12,7 @@ use topple_pictures::drawing::caption::{bounded, listed};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::frame::{Frame, LEFT};
 use topple_pictures::drawing::legend::{self, Entry, entry};
+use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::text::{style, width, wrapped};
 use topple_pictures::drawing::{FONT, MARGIN, TITLE};
 use topple_pictures::map::Map;
@@ -45,12 +46,12 @@ struct Seen {
     rings: bool,
 }
 
-/// Draws the panels of a figure as SVG; `maps` has one a panel, `caption` follows what the
+/// Draws the panels of a figure; `maps` has one a panel, `caption` follows what the
 /// figure says itself.
 ///
 /// # Errors
 /// Any [`FigureError`].
-pub fn draw(figure: &Figure, maps: &[Map], caption: &[String]) -> Result<String, FigureError> {
+pub fn draw(figure: &Figure, maps: &[Map], caption: &[String]) -> Result<Picture, FigureError> {
     let columns = figure.columns;
     let scales = scales(figure, maps);
     let written = written(columns, maps);

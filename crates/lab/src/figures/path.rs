@@ -8,6 +8,7 @@ use topple_pictures::drawing::caption::bounded;
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use topple_pictures::drawing::legend::{self, entry};
+use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::raster::png;
 use topple_pictures::drawing::swatch::{Mark, Swatch};
 use topple_pictures::drawing::text::{style, wrapped};
@@ -25,7 +26,7 @@ const GAP: f64 = 5.0;
 ///
 /// # Errors
 /// Any [`FigureError`].
-pub fn draw(title: &str, map: &Map, caption: &str) -> Result<String, FigureError> {
+pub fn draw(title: &str, map: &Map, caption: &str) -> Result<Picture, FigureError> {
     let rows = map.grid.y().map_or_else(|| Values::from(0.0), |axis| axis.values.clone());
     let fallen = || map.outcomes.iter().enumerate().filter(|(_, cell)| cell.class.overturned());
     let most = fallen().map(|(_, cell)| cell.impacts).max().unwrap_or(1).max(10);

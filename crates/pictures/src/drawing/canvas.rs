@@ -1,17 +1,15 @@
-//! The SVG document that pictures are drawn into.
+//! What pictures are drawn on: it keeps a list of marks.
 
-use std::fmt::Write as _;
-
-use super::raster::data_url;
-use super::text::{self, Anchor, Style};
-use super::{LEADING, MARGIN, MILLIMETRE, render};
+use super::picture::{Mark, Paint, Picture, Step};
+use super::text::Style;
+use super::{LEADING, MARGIN, MILLIMETRE};
 use topple::results::colour::Colour;
 use topple::results::print_palette::Palette;
 
-/// A place in a document, points from its upper left corner.
+/// A place in a picture, points from its upper left corner.
 pub type Point = (f64, f64);
 
-/// A rectangle of the document, points.
+/// A rectangle of the picture, points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Place {
     /// Left edge.
@@ -57,42 +55,21 @@ pub const fn dashed(colour: Colour, width: f64, dash: (f64, f64)) -> Stroke {
     Stroke { colour, width, dash: Some(dash) }
 }
 
-/// A document of a width, drawn from the top downwards; its height is known when it is finished.
+/// A picture of a width, drawn from the top downwards; its height is known when it is finished.
 #[derive(Debug, Clone)]
 pub struct Canvas {
     width: f64,
     scale: f64,
     palette: Palette,
     outlines: bool,
-    body: String,
-    clips: usize,
-}
-
-/// A colour as SVG writes it.
-fn hex([r, g, b]: Colour) -> String {
-    format!("#{r:02x}{g:02x}{b:02x}")
-}
-
-/// A length with the digits that a print shows: hundredths of a point.
-fn short(length: f64) -> String {
-    let text = format!("{length:.2}");
-    let plain = text.trim_end_matches('0').trim_end_matches('.');
-    if plain == "-0" { "0".into() } else { plain.into() }
-}
-
-/// The attribute of an opacity; none of what is opaque.
-fn through(opacity: f64) -> String {
-    match opacity {
-        1.0 => String::new(),
-        opacity => format!(" fill-opacity=\"{}\"", short(opacity)),
-    }
+    marks: Vec<Mark>,
 }
 
 /// Points nearer to each other than this are one in print.
 const NEAR: f64 = 0.04;
 
-fn path(points: impl IntoIterator<Item = Point>) -> String {
-    let mut path = String::new();
+fn path(points: impl IntoIterator<Item = Point>) -> Vec<Step> {
+    let mut path = Vec::new();
     let mut points = points.into_iter().peekable();
     let mut before: Option<Point> = None;
     while let Some((x, y)) = points.next() {
@@ -100,37 +77,22 @@ fn path(points: impl IntoIterator<Item = Point>) -> String {
         if near && points.peek().is_some() {
             continue;
         }
-        let letter = if before.is_none() { "M" } else { "L" };
-        // Writing into a string cannot fail.
-        let _ = write!(path, "{letter}{} {}", short(x), short(y));
+        path.push(if before.is_none() { Step::Move((x, y)) } else { Step::Line((x, y)) });
         before = Some((x, y));
     }
     path
 }
 
-impl Stroke {
-    fn attributes(&self, palette: Palette) -> String {
-        let dash = self.dash.map_or(String::new(), |(dash, gap)| {
-            format!(" stroke-dasharray=\"{} {}\"", short(dash), short(gap))
-        });
-        format!(
-            "stroke=\"{}\" stroke-width=\"{}\"{dash}",
-            hex(palette.of(self.colour)),
-            short(self.width)
-        )
-    }
-}
-
 impl Canvas {
-    /// An empty document of a width, points.
+    /// An empty picture of a width, points.
     pub fn new(width: f64) -> Canvas {
         Canvas::printed(width, 1.0, Palette::default(), false)
     }
 
-    /// An empty document of a width, points of print, that is drawn so many times as large as its coordinates say, in
-    /// the colours of a palette; with letters as outlines where these are asked for.
+    /// An empty picture of a width, points of print, that is drawn so many times as large as its coordinates say, in
+    /// the colours of a palette; with letters of its SVG as outlines where these are asked for.
     pub fn printed(width: f64, scale: f64, palette: Palette, outlines: bool) -> Canvas {
-        Canvas { width: width / scale, scale, palette, outlines, body: String::new(), clips: 0 }
+        Canvas { width: width / scale, scale, palette, outlines, marks: Vec::new() }
     }
 
     /// Its colours, which those who draw an image choose themselves.
@@ -148,25 +110,19 @@ impl Canvas {
         self.width - 2.0 * MARGIN
     }
 
-    /// The document on white paper of a height in its coordinates.
-    pub fn finish(self, height: f64) -> String {
-        let Canvas { width, scale, outlines, body, .. } = self;
-        let (w, h) = (short(width), short(height));
-        let (mm_w, mm_h) = (short(scale * width / MILLIMETRE), short(scale * height / MILLIMETRE));
-        let document = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{mm_w}mm\" height=\"{mm_h}mm\" \
-             viewBox=\"0 0 {w} {h}\">\n<rect width=\"{w}\" height=\"{h}\" fill=\"white\"/>\n{body}</svg>\n"
-        );
-        match outlines {
-            // What is no document fails when its pixels are made.
-            true => render::outlined(&document).unwrap_or(document),
-            false => document,
-        }
+    /// The picture on white paper of a height in its coordinates.
+    pub fn finish(self, height: f64) -> Picture {
+        let Canvas { width, scale, outlines, marks, .. } = self;
+        let paper = (scale * width / MILLIMETRE, scale * height / MILLIMETRE);
+        Picture { size: (width, height), paper, outlines, marks }
     }
 
-    fn push(&mut self, element: &str) {
-        self.body.push_str(element);
-        self.body.push('\n');
+    fn filled(&self, colour: Colour, opacity: f64) -> Paint {
+        Paint::Fill(self.palette.of(colour), opacity)
+    }
+
+    fn stroked(&self, stroke: Stroke) -> Paint {
+        Paint::Line(Stroke { colour: self.palette.of(stroke.colour), ..stroke })
     }
 
     /// A filled rectangle.
@@ -176,33 +132,19 @@ impl Canvas {
 
     /// A filled rectangle of an opacity.
     pub fn fill_through(&mut self, place: Place, colour: Colour, opacity: f64) {
-        let Place { x, y, width, height } = place;
-        let (x, y, width, height) = (short(x), short(y), short(width), short(height));
-        let fill = hex(self.palette.of(colour));
-        self.push(&format!(
-            "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{fill}\"{}/>",
-            through(opacity)
-        ));
+        self.marks.push(Mark::Rectangle(place, self.filled(colour, opacity)));
     }
 
     /// The outline of a rectangle.
     pub fn outline(&mut self, place: Place, stroke: Stroke) {
-        let Place { x, y, width, height } = place;
-        let (x, y, width, height) = (short(x), short(y), short(width), short(height));
-        self.push(&format!(
-            "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"none\" {}/>",
-            stroke.attributes(self.palette)
-        ));
+        self.marks.push(Mark::Rectangle(place, self.stroked(stroke)));
     }
 
     /// A line through points.
     pub fn line(&mut self, points: impl IntoIterator<Item = Point>, stroke: Stroke) {
         let path = path(points);
         if !path.is_empty() {
-            let attributes = stroke.attributes(self.palette);
-            self.push(&format!(
-                "<path d=\"{path}\" fill=\"none\" stroke-linejoin=\"round\" {attributes}/>"
-            ));
+            self.marks.push(Mark::Path(path, self.stroked(stroke)));
         }
     }
 
@@ -218,74 +160,38 @@ impl Canvas {
         colour: Colour,
         opacity: f64,
     ) {
-        let (path, fill) = (path(points), hex(self.palette.of(colour)));
-        self.push(&format!("<path d=\"{path}Z\" fill=\"{fill}\"{}/>", through(opacity)));
+        let mut path = path(points);
+        path.push(Step::Close);
+        self.marks.push(Mark::Path(path, self.filled(colour, opacity)));
     }
 
     /// A filled circle.
-    pub fn disc(&mut self, (x, y): Point, radius: f64, colour: Colour) {
-        let (x, y, radius) = (short(x), short(y), short(radius));
-        self.push(&format!(
-            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{}\"/>",
-            hex(self.palette.of(colour))
-        ));
+    pub fn disc(&mut self, at: Point, radius: f64, colour: Colour) {
+        self.marks.push(Mark::Circle(at, radius, self.filled(colour, 1.0)));
     }
 
     /// The outline of a circle.
-    pub fn ring(&mut self, (x, y): Point, radius: f64, stroke: Stroke) {
-        let (x, y, radius) = (short(x), short(y), short(radius));
-        let attributes = stroke.attributes(self.palette);
-        self.push(&format!(
-            "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"none\" {attributes}/>"
-        ));
+    pub fn ring(&mut self, at: Point, radius: f64, stroke: Stroke) {
+        self.marks.push(Mark::Circle(at, radius, self.stroked(stroke)));
     }
 
     /// A PNG stretched over a place; with `sharp` its pixels are cells and stay so.
     pub fn image(&mut self, place: Place, png: &[u8], sharp: bool) {
-        let Place { x, y, width, height } = place;
-        let (x, y, width, height) = (short(x), short(y), short(width), short(height));
-        let style = if sharp { " style=\"image-rendering:pixelated\"" } else { "" };
-        let url = data_url(png);
-        self.push(&format!(
-            "<image x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" \
-             preserveAspectRatio=\"none\"{style} href=\"{url}\"/>"
-        ));
+        self.marks.push(Mark::Image { place, png: png.to_vec(), sharp });
     }
 
     /// A line of text; of `at` the second number is that of its foot.
     pub fn text(&mut self, at: Point, style: Style, text: &str) {
-        let (x, y) = (short(at.0), short(at.1));
-        let anchor = match style.anchor {
-            Anchor::Start => "",
-            Anchor::Middle => " text-anchor=\"middle\"",
-            Anchor::End => " text-anchor=\"end\"",
-        };
-        let turned = if style.upwards {
-            format!(" transform=\"rotate(-90 {x} {y})\"")
-        } else {
-            String::new()
-        };
-        let (size, fill) = (short(style.size), hex(self.palette.of(style.colour)));
-        let text = text::marked_up(text, style.size);
-        self.push(&format!(
-            "<text x=\"{x}\" y=\"{y}\" font-family=\"{}\" font-weight=\"300\" font-size=\"{size}\" \
-             fill=\"{fill}\"{anchor}{turned}>{text}</text>",
-            super::font::FAMILY
-        ));
+        let style = Style { colour: self.palette.of(style.colour), ..style };
+        self.marks.push(Mark::Text { at, style, text: text.into() });
     }
 
     /// What `paint` draws, cut at the edge of a place.
     pub fn clipped(&mut self, place: Place, paint: impl FnOnce(&mut Canvas)) {
-        let Place { x, y, width, height } = place;
-        let (x, y, width, height) = (short(x), short(y), short(width), short(height));
-        let name = format!("clip{}", self.clips);
-        self.clips += 1;
-        self.push(&format!(
-            "<clipPath id=\"{name}\"><rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"/></clipPath>\
-             <g clip-path=\"url(#{name})\">"
-        ));
+        let around = std::mem::take(&mut self.marks);
         paint(self);
-        self.push("</g>");
+        let within = std::mem::replace(&mut self.marks, around);
+        self.marks.push(Mark::Clip(place, within));
     }
 }
 

@@ -1,75 +1,79 @@
 //! Letters that the font of the pictures does not have: a font of the machine draws them, where one has them.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::env;
 use std::fmt;
 use std::fs;
-use std::path::PathBuf;
-use std::sync::{Arc, LazyLock, Mutex, PoisonError};
+use std::path::{Path, PathBuf};
+use std::sync::{LazyLock, Mutex, PoisonError};
 
-use fontdb::{Database, Source};
 use skrifa::{FontRef, MetadataProvider};
 
-use super::font;
+use super::font::{self, Font};
+use super::picture::Picture;
+use super::text;
 
-/// The font of the pictures alone.
-static OWN: LazyLock<Arc<Database>> = LazyLock::new(|| {
-    let mut fonts = Database::new();
-    fonts.load_font_data(font::BYTES.to_vec());
-    fonts.set_sans_serif_family("Ubuntu");
-    Arc::new(fonts)
-});
+/// What was looked for until now.
+static SOUGHT: Mutex<Sought> =
+    Mutex::new(Sought { letters: BTreeMap::new(), fonts: BTreeMap::new() });
 
-/// The first font of each file of fonts of the machine. To list them takes its time.
-static OF_THE_MACHINE: LazyLock<BTreeMap<PathBuf, u32>> = LazyLock::new(|| {
-    let mut fonts = Database::new();
-    fonts.load_system_fonts();
-    let file = |face: &fontdb::FaceInfo| match &face.source {
-        Source::File(path) => Some((path.clone(), face.index)),
-        _ => None,
-    };
-    let mut first = BTreeMap::new();
-    for (path, index) in fonts.faces().filter_map(file) {
-        first.entry(path).or_insert(index);
-    }
-    first
-});
-
-/// It with those fonts of the machine that were needed until now.
-static MORE: LazyLock<Mutex<More>> =
-    LazyLock::new(|| Mutex::new(More { fonts: Arc::clone(&OWN), sought: BTreeMap::new() }));
-
-struct More {
-    fonts: Arc<Database>,
-    /// The letters that were looked for, and whether a font has them.
-    sought: BTreeMap<char, bool>,
+struct Sought {
+    /// Letters, each with the font that has it.
+    letters: BTreeMap<char, Option<&'static Font>>,
+    /// Fonts with one of them, by their files; they are kept as long as the program runs.
+    fonts: BTreeMap<PathBuf, &'static Font>,
 }
 
-impl More {
-    /// Looks for letters in the fonts of the machine; each font that has some of them is kept.
-    fn seek(&mut self, letters: &BTreeSet<char>) {
-        let is_new = |letter: &&char| !self.sought.contains_key(*letter);
-        let mut left: BTreeSet<char> = letters.iter().filter(is_new).copied().collect();
-        if left.is_empty() {
-            return;
+/// Files of fonts of the machine, upright and of usual weight first.
+static OF_THE_MACHINE: LazyLock<Vec<PathBuf>> = LazyLock::new(|| {
+    let mut files = Vec::new();
+    folders().iter().for_each(|folder| list(folder, DEEPEST, &mut files));
+    let is_special = |file: &Path| {
+        let name = file.file_stem().unwrap_or_default().to_string_lossy().to_lowercase();
+        ["bold", "italic", "oblique", "light", "condensed"].iter().any(|kind| name.contains(kind))
+    };
+    files.sort_by_cached_key(|file| (is_special(file), file.clone()));
+    files
+});
+
+/// Folders within folders in which fonts are sought: links may lead in a circle.
+const DEEPEST: usize = 8;
+
+/// The folders of fonts of the machine.
+fn folders() -> Vec<PathBuf> {
+    // Each within what a variable of the environment says, where it has one.
+    let places: &[(&str, &str)] = match env::consts::OS {
+        "macos" => {
+            &[("", "/System/Library/Fonts"), ("", "/Library/Fonts"), ("HOME", "Library/Fonts")]
         }
-        let mut fonts = Database::clone(&self.fonts);
-        for (file, face) in OF_THE_MACHINE.iter() {
-            if left.is_empty() {
-                break;
-            }
-            let Ok(bytes) = fs::read(file) else { continue };
-            let Ok(font) = FontRef::from_index(&bytes, *face) else { continue };
-            let characters = font.charmap();
-            let (has, lacks): (BTreeSet<char>, BTreeSet<char>) =
-                left.iter().partition(|letter| characters.map(**letter).is_some());
-            if !has.is_empty() {
-                fonts.load_font_data(bytes);
-                self.sought.extend(has.into_iter().map(|letter| (letter, true)));
-                left = lacks;
-            }
+        "windows" => &[("WINDIR", "Fonts"), ("LOCALAPPDATA", "Microsoft/Windows/Fonts")],
+        _ => &[
+            ("", "/usr/share/fonts"),
+            ("", "/usr/local/share/fonts"),
+            ("HOME", ".local/share/fonts"),
+            ("HOME", ".fonts"),
+        ],
+    };
+    let place = |(variable, place): &(&str, &str)| match *variable {
+        "" => Some(PathBuf::from(place)),
+        variable => {
+            let from = env::var_os(variable).filter(|from| !from.is_empty())?;
+            Some(Path::new(&from).join(place))
         }
-        self.sought.extend(left.into_iter().map(|letter| (letter, false)));
-        self.fonts = Arc::new(fonts);
+    };
+    places.iter().filter_map(place).collect()
+}
+
+/// Adds the files of fonts of a folder and of those within it.
+fn list(folder: &Path, deepest: usize, files: &mut Vec<PathBuf>) {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    for path in entries.map(|entry| entry.path()) {
+        let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        if ["ttf", "otf", "ttc"].contains(&ending.as_str()) {
+            files.push(path);
+        } else if deepest > 0 && path.is_dir() {
+            list(&path, deepest - 1, files);
+        }
     }
 }
 
@@ -78,21 +82,62 @@ fn lacking(text: &str) -> BTreeSet<char> {
     text.chars().filter(|letter| font::lacks(*letter)).collect()
 }
 
-/// The fonts that a document is drawn with.
-pub(super) fn fonts(svg: &str) -> Arc<Database> {
-    let letters = lacking(svg);
-    if letters.is_empty() {
-        return Arc::clone(&OWN);
+impl Sought {
+    /// The font of a file, where it has outlines of one of some letters.
+    fn font(&mut self, file: &Path, letters: &[char]) -> Option<&'static Font> {
+        if let Some(font) = self.fonts.get(file) {
+            return Some(font);
+        }
+        let bytes = fs::read(file).ok()?;
+        let face = FontRef::from_index(&bytes, 0).ok()?;
+        face.outline_glyphs().format()?;
+        let has = face.charmap();
+        letters.iter().find(|letter| has.map(**letter).is_some())?;
+        let font: &'static Font = Box::leak(Box::new(Font::of(bytes.leak())?));
+        self.fonts.insert(file.into(), font);
+        Some(font)
     }
-    let mut more = MORE.lock().unwrap_or_else(PoisonError::into_inner);
-    more.seek(&letters);
-    Arc::clone(&more.fonts)
+}
+
+/// Looks for letters in the fonts of the machine: each letter takes the first font that has it.
+fn seek(letters: &BTreeSet<char>) -> BTreeMap<char, Option<&'static Font>> {
+    let mut sought = SOUGHT.lock().unwrap_or_else(PoisonError::into_inner);
+    let is_new = |letter: &&char| !sought.letters.contains_key(letter);
+    let mut left: Vec<char> = letters.iter().filter(is_new).copied().collect();
+    for file in &*OF_THE_MACHINE {
+        if left.is_empty() {
+            break;
+        }
+        let Some(font) = sought.font(file, &left) else { continue };
+        let (has, lacks): (Vec<char>, _) = left.iter().partition(|letter| font.has(**letter));
+        sought.letters.extend(has.into_iter().map(|letter| (letter, Some(font))));
+        left = lacks;
+    }
+    sought.letters.extend(left.into_iter().map(|letter| (letter, None)));
+    letters.iter().map(|letter| (*letter, sought.letters.get(letter).copied().flatten())).collect()
+}
+
+/// The fonts of the machine for the letters of a text which that of the pictures lacks; none for a letter that no font has.
+pub(super) fn fonts(text: &str) -> BTreeMap<char, Option<&'static Font>> {
+    let letters = lacking(text);
+    if letters.is_empty() { BTreeMap::new() } else { seek(&letters) }
+}
+
+/// The letters of a text that no font has.
+fn boxed(text: &str) -> BTreeSet<char> {
+    let none = fonts(text).into_iter().filter(|(_, font)| font.is_none());
+    none.map(|(letter, _)| letter).collect()
+}
+
+/// True of a text with letters that no font has.
+pub(super) fn is_boxed(text: &str) -> bool {
+    !boxed(text).is_empty()
 }
 
 /// Most texts, and most letters, that a warning repeats.
 const MOST: usize = 8;
 
-/// Letters of a picture that no font has, and the texts that have them.
+/// Letters of pictures that no font has, and the texts that have them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Missing {
     /// The letters.
@@ -101,25 +146,21 @@ pub struct Missing {
     pub texts: Vec<String>,
 }
 
-/// What no font has of a document; none where nothing is missing. A text with a letter that no font has is drawn with the font of
-/// the pictures alone, so that all other letters which that lacks are missing, too.
-pub fn missing(svg: &str) -> Option<Missing> {
+/// What no font has of pictures; none where nothing is missing.
+pub fn missing<'a>(pictures: impl IntoIterator<Item = &'a Picture>) -> Option<Missing> {
     let mut missing = Missing { letters: BTreeSet::new(), texts: Vec::new() };
-    let all = lacking(svg);
-    if all.is_empty() {
-        return None;
-    }
-    let mut more = MORE.lock().unwrap_or_else(PoisonError::into_inner);
-    more.seek(&all);
-    for text in svg.split("<text").skip(1).filter_map(|text| text.split_once("</text>")) {
-        let text = plain(text.0);
-        let letters = lacking(&text);
-        if letters.iter().any(|letter| more.sought.get(letter) == Some(&false)) {
+    for picture in pictures {
+        picture.for_texts(&mut |text, style| {
+            let letters = boxed(text);
+            if letters.is_empty() {
+                return;
+            }
             missing.letters.extend(letters);
+            let text = text::runs(text, style.size).into_iter().map(|run| run.text).collect();
             if !missing.texts.contains(&text) {
                 missing.texts.push(text);
             }
-        }
+        });
     }
     (!missing.texts.is_empty()).then_some(missing)
 }
@@ -144,70 +185,45 @@ impl fmt::Display for Missing {
     }
 }
 
-/// The words of an element of text behind its name, without its marks.
-fn plain(element: &str) -> String {
-    let (_, inner) = element.split_once('>').unwrap_or_default();
-    let mut words = String::new();
-    for (number, piece) in inner.split('<').enumerate() {
-        words += match number {
-            0 => piece,
-            _ => piece.split_once('>').map_or("", |(_, words)| words),
-        };
-    }
-    let marks = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&apos;", "'"), ("&amp;", "&")];
-    marks.iter().fold(words, |words, (mark, letter)| words.replace(mark, letter))
-}
-
 #[cfg(test)]
 mod tests {
     use super::{fonts, lacking, missing};
     use crate::drawing::canvas::Canvas;
-    use crate::drawing::render;
+    use crate::drawing::picture::Picture;
     use crate::drawing::text::style;
 
     /// A letter for private use of the last plane, which no font has.
     const NONE: char = '\u{10fffd}';
 
-    fn svg(text: &str, outlines: bool) -> String {
-        let mut canvas = Canvas::printed(100.0, 1.0, Default::default(), outlines);
+    fn picture(text: &str) -> Picture {
+        let mut canvas = Canvas::new(100.0);
         canvas.text((5.0, 10.0), style(7.0), text);
         canvas.finish(20.0)
     }
 
     #[test]
     fn letters_that_no_font_has_are_named_with_their_text() {
-        let text = format!("T_h & <{NONE}>");
-        for outlines in [false, true] {
-            let said = missing(&svg(&text, outlines)).unwrap().to_string();
-            assert!(said.contains(&format!("the letters {NONE} (U+10FFFD) of ")), "{said}");
-            assert!(!said.contains('\n') && said.contains("install a font"), "{said}");
-        }
-        let said = missing(&svg(&text, false)).unwrap().to_string();
+        let said = missing([&picture(&format!("T_h & <{NONE}>"))]).unwrap().to_string();
+        assert!(said.contains(&format!("the letters {NONE} (U+10FFFD) of ")), "{said}");
+        assert!(!said.contains('\n') && said.contains("install a font"), "{said}");
         assert!(said.contains(&format!("of \"Th & <{NONE}>\":")), "{said}");
-    }
-
-    #[test]
-    fn a_letter_that_no_font_has_takes_others_of_its_text_with_it() {
-        let said = missing(&svg(&format!("مخمد {NONE} ü"), false)).unwrap();
-        assert_eq!(said.letters, format!("مخد{NONE}").chars().collect());
-        assert_eq!(said.texts.len(), 1);
     }
 
     #[test]
     fn letters_of_the_font_are_no_fault_and_need_no_other_font() {
         let text = "Ünïcødé αβγδεζηθ Москва ≥ ≤ ≈ ± × · − – … ° ² ³ √ ∞ ü";
         assert!(lacking(text).is_empty(), "{:?}", lacking(text));
-        let svg = svg(&format!("{text} v\u{308}_g"), false);
-        assert_eq!(missing(&svg), None);
-        assert_eq!(fonts(&svg).len(), 1);
+        assert_eq!(missing([&picture(&format!("{text} v\u{308}_g"))]), None);
+        assert!(fonts(text).is_empty());
         assert!(!lacking("免震 مخمد 면진 🙂").is_empty());
     }
 
     #[test]
     fn letters_that_no_font_has_stay_text_where_others_become_outlines() {
-        assert!(!svg("plain", true).contains("<text"));
-        let kept = svg(&format!("a{NONE}"), true);
-        assert!(kept.contains("<text") && kept.contains(NONE), "{kept}");
-        assert!(render::png(&kept).is_ok());
+        assert!(!picture("plain").outlined().contains("<text"));
+        let kept = picture(&format!("a{NONE}"));
+        let svg = kept.outlined();
+        assert!(svg.contains("<text") && svg.contains(NONE), "{svg}");
+        assert!(kept.png().is_ok());
     }
 }

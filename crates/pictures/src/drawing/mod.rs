@@ -1,7 +1,7 @@
 //! How every picture is drawn: maps, curves, histories, the paper's figures and charts.
 //!
-//! A picture is an SVG in points of its printed size, [`COLUMN`] wide where it is to stand in a column of a
-//! journal, and a PNG of the same with 300 pixels an inch. Letters are of [`FONT`] or larger, indices of
+//! A picture is a list of marks, of which an SVG is written in points of its printed size, [`COLUMN`] wide where it is to stand in a column of a
+//! journal, a PNG of the same with 300 pixels an inch, and a place on a page of a PDF. Letters are of [`FONT`] or larger, indices of
 //! [`SMALLEST`], as journals ask for, unless a [print](print::Print) asks for another width or size: coordinates
 //! are then in points of a picture whose letters are of [`FONT`]. The colours of outcomes are there for other pictures, too.
 
@@ -10,14 +10,19 @@ pub mod caption;
 pub mod error;
 pub(crate) mod font;
 pub mod frame;
+mod glyphs;
 pub mod legend;
 pub mod letters;
 pub mod pdf;
+mod pdf_fonts;
+pub mod picture;
+mod pixels;
 pub mod print;
 pub mod raster;
-pub mod render;
+mod read;
 pub(crate) mod scale;
 pub mod share;
+pub(crate) mod svg;
 pub mod swatch;
 pub mod text;
 pub(crate) mod ticks;

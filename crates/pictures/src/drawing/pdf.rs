@@ -1,24 +1,25 @@
-//! SVG documents on the pages of a PDF: paths, text as paths, and the images of maps. Any other paint than a colour has no
-//! place in the pictures of topple and is left out.
+//! Pictures on the pages of a PDF: shapes, the images of maps, and text that can be sought, copied and read aloud.
 
 use std::io::Write;
 
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
-use pdf_writer::types::{LineCapStyle, LineJoinStyle};
-use pdf_writer::{Content, Filter, Name, Pdf, Rect, Ref, TextStr};
-use png::{ColorType, Decoder, Transformations};
-use resvg::tiny_skia::{self, PathSegment, Point, Transform};
-use resvg::usvg::{FillRule, Group, Image, ImageKind, LineCap, LineJoin, Node, Paint, Path};
+use pdf_writer::types::LineJoinStyle;
+use pdf_writer::{Content, Filter, Name, Pdf, Rect, Ref, Str, TextStr};
 
+use super::canvas::{Place, Point, Stroke};
 use super::error::FigureError;
-use super::render;
+use super::pdf_fonts::{self, Fonts};
+use super::picture::{Mark, Paint, Picture, Step};
+use super::text::Style;
+use super::{glyphs, raster};
+use topple::results::colour::{Colour, WHITE};
 
-/// An SVG on a page: where its upper left corner lies from that of the page, points, and a factor on its size.
+/// A picture on a page: where its upper left corner lies from that of the page, points, and a factor on its size.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Placed {
-    /// The document.
-    pub svg: String,
+    /// The picture.
+    pub picture: Picture,
     /// Its left edge.
     pub x: f64,
     /// Its upper edge.
@@ -33,26 +34,39 @@ pub type Size = (f64, f64);
 /// The pages as a PDF; `creator` says what they are.
 ///
 /// # Errors
-/// [`FigureError::Encode`]: an SVG or an image that cannot be read.
+/// [`FigureError::Encode`]: an image that cannot be read.
 pub fn pages(
     pages: &[Vec<Placed>],
     size: Size,
     (title, creator): (&str, &str),
 ) -> Result<Vec<u8>, FigureError> {
-    let mut writer = Writer { pdf: Pdf::new(), last: 0 };
+    let mut writer = Writer { pdf: Pdf::new(), last: 0, fonts: Fonts::default() };
     let (catalog, tree, info) = (writer.next(), writer.next(), writer.next());
     writer.pdf.document_info(info).title(TextStr(title)).creator(TextStr(creator));
     let numbers: Vec<Ref> = pages.iter().map(|_| writer.next()).collect();
-    writer.pdf.catalog(catalog).pages(tree);
+    writer.pdf.catalog(catalog).pages(tree).lang(TextStr("en"));
     writer.pdf.pages(tree).kids(numbers.iter().copied()).count(numbers.len() as i32);
-    for (number, placed) in numbers.iter().zip(pages) {
+    let mut drawn = Vec::new();
+    for placed in pages {
         let mut page = Page::new(size.1);
-        for one in placed {
-            let tree = render::tree(&one.svg, render::POINTS)?;
-            let scale = one.scale as f32;
-            let place = Transform::from_row(scale, 0.0, 0.0, scale, one.x as f32, one.y as f32);
-            page.within(place, |page| page.group(tree.root(), &mut writer, 1.0))?;
+        for Placed { picture, x, y, scale } in placed {
+            let (width, height) = picture.size;
+            let scale = scale * picture.points().0 / width;
+            page.within([scale, 0.0, 0.0, scale, *x, *y], |page| {
+                let paper = Place { x: 0.0, y: 0.0, width, height };
+                page.shape(&paper.steps(), Paint::Fill(WHITE, 1.0), false);
+                page.marks(&picture.marks, &mut writer)
+            })?;
         }
+        drawn.push(page);
+    }
+    // All pages together have the fonts.
+    let Writer { pdf, last, fonts } = &mut writer;
+    let fonts = fonts.write(pdf, || {
+        *last += 1;
+        Ref::new(*last)
+    })?;
+    for (number, page) in numbers.iter().zip(drawn) {
         let contents = writer.next();
         let data = deflated(&page.content.finish())?;
         writer.pdf.stream(contents, &data).filter(Filter::FlateDecode);
@@ -75,14 +89,20 @@ pub fn pages(
         for (name, id) in &opacities {
             states.pair(Name(name.as_bytes()), *id);
         }
+        drop(states);
+        let mut dictionary = resources.fonts();
+        for (name, id) in &fonts {
+            dictionary.pair(Name(name.as_bytes()), *id);
+        }
     }
     Ok(writer.pdf.finish())
 }
 
-/// The document, and the last number of an object in it.
+/// The document, the last number of an object in it, and its fonts.
 struct Writer {
     pdf: Pdf,
     last: i32,
+    fonts: Fonts,
 }
 
 impl Writer {
@@ -93,26 +113,12 @@ impl Writer {
 
     /// An image of red, green and blue, and its opacity where it is not opaque.
     fn image(&mut self, png: &[u8]) -> Result<Ref, FigureError> {
-        let failed = |error: png::DecodingError| FigureError::Encode(error.to_string());
-        let mut decoder = Decoder::new(std::io::Cursor::new(png));
-        decoder.set_transformations(Transformations::normalize_to_color8());
-        let mut reader = decoder.read_info().map_err(failed)?;
-        let size = reader
-            .output_buffer_size()
-            .ok_or_else(|| FigureError::Encode("no memory for an image".into()))?;
-        let mut bytes = vec![0; size];
-        let frame = reader.next_frame(&mut bytes).map_err(failed)?;
-        let channels = frame.color_type.samples();
-        let is_grey = matches!(frame.color_type, ColorType::Grayscale | ColorType::GrayscaleAlpha);
-        let has_opacity = matches!(frame.color_type, ColorType::Rgba | ColorType::GrayscaleAlpha);
-        let pixels = bytes[..frame.buffer_size()].chunks_exact(channels);
-        let colours: Vec<u8> = pixels
-            .clone()
-            .flat_map(|pixel| if is_grey { [pixel[0]; 3] } else { [pixel[0], pixel[1], pixel[2]] })
-            .collect();
+        let ((width, height), pixels) = raster::decode(png)?;
+        let has_opacity = pixels.iter().any(|[.., opacity]| *opacity < 255);
+        let colours: Vec<u8> = pixels.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect();
         let opacity: Option<Vec<u8>> =
-            has_opacity.then(|| pixels.map(|pixel| pixel[channels - 1]).collect());
-        let (width, height) = (frame.width as i32, frame.height as i32);
+            has_opacity.then(|| pixels.iter().map(|[.., opacity]| *opacity).collect());
+        let (width, height) = (width as i32, height as i32);
         let (id, mask) = (self.next(), opacity.as_ref().map(|_| self.next()));
         let data = deflated(&colours)?;
         let mut image = self.pdf.image_xobject(id, &data);
@@ -134,7 +140,7 @@ impl Writer {
     }
 }
 
-fn deflated(bytes: &[u8]) -> Result<Vec<u8>, FigureError> {
+pub(super) fn deflated(bytes: &[u8]) -> Result<Vec<u8>, FigureError> {
     let failed = |error: std::io::Error| FigureError::Encode(error.to_string());
     let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
     encoder.write_all(bytes).map_err(failed)?;
@@ -154,8 +160,49 @@ struct Page {
     opacities: Vec<u8>,
 }
 
+/// Adds a path.
+pub(super) fn outline(content: &mut Content, steps: &[Step]) {
+    let single = |(x, y): Point| (x as f32, y as f32);
+    let mut from = (0.0, 0.0);
+    for step in steps {
+        match *step {
+            Step::Move(to) => {
+                let (x, y) = single(to);
+                content.move_to(x, y);
+                from = to;
+            }
+            Step::Line(to) => {
+                let (x, y) = single(to);
+                content.line_to(x, y);
+                from = to;
+            }
+            Step::Quad(by, to) => {
+                // The same curve as a cubic one, which PDF knows alone.
+                let third =
+                    |a: Point| (a.0 + 2.0 / 3.0 * (by.0 - a.0), a.1 + 2.0 / 3.0 * (by.1 - a.1));
+                let [(a, b), (c, d), (x, y)] = [third(from), third(to), to].map(single);
+                content.cubic_to(a, b, c, d, x, y);
+                from = to;
+            }
+            Step::Cubic(by, and, to) => {
+                let [(a, b), (c, d), (x, y)] = [by, and, to].map(single);
+                content.cubic_to(a, b, c, d, x, y);
+                from = to;
+            }
+            Step::Close => {
+                content.close_path();
+            }
+        }
+    }
+}
+
+/// A colour as PDF writes it.
+fn rgb(colour: Colour) -> [f32; 3] {
+    colour.map(|value| f32::from(value) / 255.0)
+}
+
 impl Page {
-    /// An empty page whose coordinates begin in the upper left corner, as those of an SVG.
+    /// An empty page whose coordinates begin in the upper left corner, as those of a picture.
     fn new(height: f64) -> Page {
         let mut content = Content::new();
         content.transform([1.0, 0.0, 0.0, -1.0, 0.0, height as f32]);
@@ -163,81 +210,37 @@ impl Page {
     }
 
     /// Draws in other coordinates, and comes back to those that were.
-    fn within<T>(&mut self, by: Transform, draw: impl FnOnce(&mut Page) -> T) -> T {
+    fn within<T>(&mut self, by: [f64; 6], draw: impl FnOnce(&mut Page) -> T) -> T {
         self.content.save_state();
-        self.content.transform([by.sx, by.ky, by.kx, by.sy, by.tx, by.ty]);
+        self.content.transform(by.map(|number| number as f32));
         let done = draw(self);
         self.content.restore_state();
         done
     }
 
-    fn group(&mut self, group: &Group, to: &mut Writer, opacity: f32) -> Result<(), FigureError> {
-        let opacity = opacity * group.opacity().get();
-        self.within(group.transform(), |page| {
-            if let Some(clip) = group.clip_path() {
-                page.clip(clip.root(), clip.transform());
-                page.content.clip_nonzero().end_path();
-            }
-            for node in group.children() {
-                match node {
-                    Node::Group(inner) => page.group(inner, to, opacity)?,
-                    Node::Path(path) => page.path(path, opacity),
-                    Node::Image(image) => page.image(image, to)?,
-                    Node::Text(text) => page.group(text.flattened(), to, opacity)?,
-                }
-            }
-            Ok(())
-        })
-    }
-
-    /// Adds the paths of a clip to the current one.
-    fn clip(&mut self, group: &Group, by: Transform) {
-        let by = by.pre_concat(group.transform());
-        for node in group.children() {
-            match node {
-                Node::Group(inner) => self.clip(inner, by),
-                Node::Path(path) => {
-                    if let Some(path) = path.data().clone().transform(by) {
-                        self.outline(&path);
+    fn marks(&mut self, marks: &[Mark], to: &mut Writer) -> Result<(), FigureError> {
+        for mark in marks {
+            match mark {
+                Mark::Rectangle(..) | Mark::Path(..) | Mark::Circle(..) => {
+                    if let Some((steps, paint, round)) = mark.shape() {
+                        self.shape(&steps, paint, round);
                     }
                 }
-                Node::Image(_) | Node::Text(_) => {}
-            }
-        }
-    }
-
-    fn outline(&mut self, path: &tiny_skia::Path) {
-        let mut from = Point::zero();
-        for segment in path.segments() {
-            match segment {
-                PathSegment::MoveTo(p) => {
-                    self.content.move_to(p.x, p.y);
-                    from = p;
-                }
-                PathSegment::LineTo(p) => {
-                    self.content.line_to(p.x, p.y);
-                    from = p;
-                }
-                PathSegment::QuadTo(q, p) => {
-                    // The same curve as a cubic one, which PDF knows alone.
-                    let third = |a: f32, b: f32| a + 2.0 / 3.0 * (b - a);
-                    let (x1, y1) = (third(from.x, q.x), third(from.y, q.y));
-                    let (x2, y2) = (third(p.x, q.x), third(p.y, q.y));
-                    self.content.cubic_to(x1, y1, x2, y2, p.x, p.y);
-                    from = p;
-                }
-                PathSegment::CubicTo(a, b, p) => {
-                    self.content.cubic_to(a.x, a.y, b.x, b.y, p.x, p.y);
-                    from = p;
-                }
-                PathSegment::Close => {
-                    self.content.close_path();
+                Mark::Text { at, style, text } => self.text(*at, *style, text, &mut to.fonts),
+                Mark::Image { place, png, .. } => self.image(*place, to.image(png)?),
+                Mark::Clip(place, inner) => {
+                    self.content.save_state();
+                    outline(&mut self.content, &place.steps());
+                    self.content.clip_nonzero().end_path();
+                    self.marks(inner, to)?;
+                    self.content.restore_state();
                 }
             }
         }
+        Ok(())
     }
 
-    fn through(&mut self, opacity: f32) {
+    fn through(&mut self, opacity: f64) {
         let share = (255.0 * opacity).round() as u8;
         if !self.opacities.contains(&share) {
             self.opacities.push(share);
@@ -245,58 +248,192 @@ impl Page {
         self.content.set_parameters(Name(name_of(share).as_bytes()));
     }
 
-    fn path(&mut self, path: &Path, opacity: f32) {
-        if !path.is_visible() {
-            return;
-        }
-        let share = |value: u8| f32::from(value) / 255.0;
-        if let Some(fill) = path.fill()
-            && let Paint::Color(colour) = fill.paint()
-        {
-            self.through(opacity * fill.opacity().get());
-            let [r, g, b] = [colour.red, colour.green, colour.blue].map(share);
-            self.content.set_fill_rgb(r, g, b);
-            self.outline(path.data());
-            match fill.rule() {
-                FillRule::NonZero => self.content.fill_nonzero(),
-                FillRule::EvenOdd => self.content.fill_even_odd(),
-            };
-        }
-        if let Some(stroke) = path.stroke()
-            && let Paint::Color(colour) = stroke.paint()
-        {
-            self.through(opacity * stroke.opacity().get());
-            let [r, g, b] = [colour.red, colour.green, colour.blue].map(share);
-            self.content.set_stroke_rgb(r, g, b).set_line_width(stroke.width().get());
-            self.content.set_line_cap(match stroke.linecap() {
-                LineCap::Butt => LineCapStyle::ButtCap,
-                LineCap::Round => LineCapStyle::RoundCap,
-                LineCap::Square => LineCapStyle::ProjectingSquareCap,
-            });
-            self.content.set_line_join(match stroke.linejoin() {
-                LineJoin::Round => LineJoinStyle::RoundJoin,
-                LineJoin::Bevel => LineJoinStyle::BevelJoin,
-                _ => LineJoinStyle::MiterJoin,
-            });
-            let dashes = stroke.dasharray().unwrap_or_default();
-            self.content.set_dash_pattern(dashes.iter().copied(), stroke.dashoffset());
-            self.outline(path.data());
-            self.content.stroke();
+    fn shape(&mut self, steps: &[Step], paint: Paint, round: bool) {
+        match paint {
+            Paint::Fill(colour, opacity) => {
+                self.through(opacity);
+                let [r, g, b] = rgb(colour);
+                self.content.set_fill_rgb(r, g, b);
+                outline(&mut self.content, steps);
+                self.content.fill_nonzero();
+            }
+            Paint::Line(Stroke { colour, width, dash }) => {
+                self.through(1.0);
+                let [r, g, b] = rgb(colour);
+                self.content.set_stroke_rgb(r, g, b).set_line_width(width as f32);
+                let join = if round { LineJoinStyle::RoundJoin } else { LineJoinStyle::MiterJoin };
+                self.content.set_line_join(join);
+                let dash = dash.map(|(dash, gap)| [dash as f32, gap as f32]);
+                self.content.set_dash_pattern(dash.into_iter().flatten(), 0.0);
+                outline(&mut self.content, steps);
+                self.content.stroke();
+            }
         }
     }
 
-    fn image(&mut self, image: &Image, to: &mut Writer) -> Result<(), FigureError> {
-        let ImageKind::PNG(bytes) = image.kind() else { return Ok(()) };
-        let id = to.image(bytes)?;
-        let name = format!("i{}", self.images.len());
-        let (width, height) = (image.size().width(), image.size().height());
+    fn text(&mut self, at: Point, style: Style, text: &str, fonts: &mut Fonts) {
         self.through(1.0);
+        let [r, g, b] = rgb(style.colour);
+        self.content.set_fill_rgb(r, g, b);
+        self.content.begin_text();
+        let line: Vec<(glyphs::Glyph, (usize, u8))> = glyphs::line(style, text)
+            .into_iter()
+            .map(|glyph| {
+                let code = fonts.code(&glyph);
+                (glyph, code)
+            })
+            .collect();
+        // Glyphs of one font, of one size and on one line.
+        let alike = line.chunk_by(|(one, (font, _)), (next, (other, _))| {
+            font == other && one.size == next.size && one.at.1 == next.at.1
+        });
+        for part in alike {
+            let [(first, (font, _)), ..] = part else { continue };
+            let (x, y) = style.turned(at, first.at);
+            let (x, y) = (x as f32, y as f32);
+            // The page runs downwards, letters upwards.
+            self.content.set_text_matrix(match style.upwards {
+                true => [0.0, -1.0, -1.0, 0.0, x, y],
+                false => [1.0, 0.0, 0.0, -1.0, x, y],
+            });
+            let size = first.size;
+            self.content.set_font(Name(pdf_fonts::name_of(*font).as_bytes()), size as f32);
+            let mut shown = self.content.show_positioned();
+            let mut items = shown.items();
+            // Where the next glyph would be by the font alone.
+            let mut end = first.at.0;
+            let mut codes = Vec::new();
+            for (glyph, (_, code)) in part {
+                let apart = (1000.0 * (end - glyph.at.0) / size).round();
+                if apart != 0.0 {
+                    items.show(Str(&std::mem::take(&mut codes)));
+                    items.adjust(apart as f32);
+                    end -= apart * size / 1000.0;
+                }
+                codes.push(*code);
+                end += glyph.advance;
+            }
+            items.show(Str(&codes));
+        }
+        self.content.end_text();
+    }
+
+    fn image(&mut self, place: Place, id: Ref) {
+        let name = format!("i{}", self.images.len());
+        self.through(1.0);
+        let Place { x, y, width, height } = place;
         // An image of PDF is a unit square that begins in its lower left corner.
-        let place = Transform::from_row(width, 0.0, 0.0, -height, 0.0, height);
-        self.within(place, |page| {
+        self.within([width, 0.0, 0.0, -height, x, y + height], |page| {
             page.content.x_object(Name(name.as_bytes()));
         });
         self.images.push((name, id));
-        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashMap;
+    use std::io::Read;
+
+    use flate2::read::ZlibDecoder;
+
+    use super::{Placed, pages};
+    use crate::drawing::canvas::{Canvas, Place};
+    use crate::drawing::raster::png;
+    use crate::drawing::text::style;
+
+    /// The packed streams of a PDF.
+    fn streams(pdf: &[u8]) -> Vec<String> {
+        let mark = b"stream\n";
+        let starts = (0..pdf.len()).filter(|at| pdf[*at..].starts_with(mark));
+        let packed = starts.filter_map(|at| {
+            let mut bytes = Vec::new();
+            let read = ZlibDecoder::new(&pdf[at + mark.len()..]).read_to_end(&mut bytes);
+            read.ok().map(|_| bytes.iter().map(|byte| char::from(*byte)).collect())
+        });
+        packed.collect()
+    }
+
+    /// The codes of the strings of a line of a page, none of which is that of a bracket.
+    fn codes(line: &str) -> Vec<u8> {
+        let mut codes = Vec::new();
+        let mut letters = line.chars();
+        while let Some(letter) = letters.next() {
+            match letter {
+                '(' => {
+                    while let Some(letter) = letters.next().filter(|letter| *letter != ')') {
+                        let mut next = || letters.next().unwrap();
+                        codes.push(match letter {
+                            '\\' => match next() {
+                                'b' => 8,
+                                't' => 9,
+                                'n' => 10,
+                                'f' => 12,
+                                'r' => 13,
+                                first => {
+                                    let octal = String::from_iter([first, next(), next()]);
+                                    u8::from_str_radix(&octal, 8).unwrap()
+                                }
+                            },
+                            plain => plain as u8,
+                        });
+                    }
+                }
+                '<' => {
+                    let hex: String =
+                        letters.by_ref().take_while(|letter| *letter != '>').collect();
+                    let pairs = (0..hex.len() / 2).map(|k| &hex[2 * k..2 * k + 2]);
+                    codes.extend(pairs.map(|pair| u8::from_str_radix(pair, 16).unwrap()));
+                }
+                _ => {}
+            }
+        }
+        codes
+    }
+
+    #[test]
+    fn text_of_a_pdf_is_read_back() {
+        let text = "T_h = 2 s: Москва, ε ≥ 0 fi AVA 10^{-3}";
+        let mut canvas = Canvas::new(200.0);
+        canvas.text((10.0, 20.0), style(7.0), text);
+        canvas.text((10.0, 90.0), style(7.0).middle().upwards(), "upwards");
+        let place = Place { x: 10.0, y: 30.0, width: 20.0, height: 20.0 };
+        canvas.image(place, &png((3, 2), |x, _| [9, 9, 9, 255 - x as u8]).unwrap(), true);
+        let placed = Placed { picture: canvas.finish(100.0), x: 5.0, y: 7.0, scale: 0.5 };
+        let pdf = pages(&[vec![placed.clone()], vec![placed]], (300.0, 400.0), ("a", "b")).unwrap();
+        let plain = String::from_utf8_lossy(&pdf);
+        assert_eq!((plain.matches("/Type3").count(), plain.matches("/SMask").count()), (1, 2));
+        let streams = streams(&pdf);
+        let map = streams.iter().find(|stream| stream.contains("beginbfchar")).unwrap();
+        let pairs = map.lines().filter_map(|line| line.strip_prefix('<')?.split_once("> <"));
+        let letters: HashMap<u8, String> = pairs
+            .map(|(code, letters)| {
+                let letters = letters.trim_end_matches('>');
+                let units = (0..letters.len() / 4).map(|k| &letters[4 * k..4 * k + 4]);
+                let units: Vec<u16> =
+                    units.map(|unit| u16::from_str_radix(unit, 16).unwrap()).collect();
+                (u8::from_str_radix(code, 16).unwrap(), String::from_utf16(&units).unwrap())
+            })
+            .collect();
+        let pages: Vec<&String> = streams.iter().filter(|stream| stream.contains("TJ")).collect();
+        assert_eq!(pages.len(), 2);
+        for page in pages {
+            let shown = page.lines().filter(|line| line.ends_with("TJ")).flat_map(codes);
+            let said: String = shown.filter_map(|code| letters.get(&code).cloned()).collect();
+            let plain = text.replace("_h", "h").replace("^{-3}", "-3");
+            assert_eq!(said, plain + "upwards");
+        }
+    }
+
+    /// More letters than a font of bytes has room for.
+    #[test]
+    fn many_letters_take_several_fonts() {
+        let mut canvas = Canvas::new(9000.0);
+        let letters: String = ('\u{21}'..'\u{500}').collect();
+        canvas.text((0.0, 20.0), style(7.0), &letters);
+        let placed = Placed { picture: canvas.finish(100.0), x: 0.0, y: 0.0, scale: 1.0 };
+        let pdf = pages(&[vec![placed]], (300.0, 400.0), ("a", "b")).unwrap();
+        let plain = String::from_utf8_lossy(&pdf);
+        assert!(plain.matches("/Type3").count() > 2 && plain.contains("/LastChar 255"));
     }
 }

@@ -1,11 +1,16 @@
 //! Pixels as PNG, with a table of colours in place of four bytes a pixel.
 
 use std::collections::HashMap;
+use std::io::Cursor;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use png::{BitDepth, ColorType, Compression, Encoder, Filter, PixelDimensions, Unit};
+use png::{
+    BitDepth, ColorType, Compression, Decoder, DecodingError, Encoder, Filter, PixelDimensions,
+    Reader, Transformations, Unit,
+};
 
+use super::MILLIMETRE;
 use super::error::FigureError;
 
 /// Red, green, blue and opacity.
@@ -98,6 +103,55 @@ fn table(pixels: &[Rgba]) -> (Vec<Rgba>, HashMap<Rgba, u8>) {
     };
     let numbers = colours.iter().enumerate().map(number).collect();
     (table, numbers)
+}
+
+/// The head of a PNG, which is read with four bytes a pixel, or with a grey and an opacity.
+fn reader(png: &[u8]) -> Result<Reader<Cursor<&[u8]>>, FigureError> {
+    let mut decoder = Decoder::new(Cursor::new(png));
+    decoder.set_transformations(Transformations::normalize_to_color8() | Transformations::ALPHA);
+    decoder.read_info().map_err(unread)
+}
+
+fn unread(error: DecodingError) -> FigureError {
+    FigureError::Encode(error.to_string())
+}
+
+/// Width and height of a PNG in pixels, and its pixels, the top row first.
+///
+/// # Errors
+/// [`FigureError::Encode`]: no PNG.
+pub fn decode(png: &[u8]) -> Result<((u32, u32), Vec<Rgba>), FigureError> {
+    let mut reader = reader(png)?;
+    let size = reader.output_buffer_size();
+    let size = size.ok_or_else(|| FigureError::Encode("no memory for an image".into()))?;
+    let mut bytes = vec![0; size];
+    let frame = reader.next_frame(&mut bytes).map_err(unread)?;
+    let pixels = bytes[..frame.buffer_size()].chunks_exact(frame.color_type.samples());
+    let pixels = pixels.map(|pixel| match *pixel {
+        [grey, opacity] => [grey, grey, grey, opacity],
+        [r, g, b, opacity] => [r, g, b, opacity],
+        _ => [0; 4],
+    });
+    Ok(((frame.width, frame.height), pixels.collect()))
+}
+
+/// Width and height of a PNG in points: those that it says, or a point a pixel.
+///
+/// # Errors
+/// [`FigureError::Encode`]: no PNG.
+pub fn size(png: &[u8]) -> Result<(f64, f64), FigureError> {
+    let reader = reader(png)?;
+    let info = reader.info();
+    let known =
+        info.pixel_dims.filter(|size| size.unit == Unit::Meter && size.xppu > 0 && size.yppu > 0);
+    let points = |pixels: u32, per_metre: Option<u32>| {
+        per_metre.map_or(1.0, |per_metre| 1000.0 * MILLIMETRE / f64::from(per_metre))
+            * f64::from(pixels)
+    };
+    Ok((
+        points(info.width, known.map(|size| size.xppu)),
+        points(info.height, known.map(|size| size.yppu)),
+    ))
 }
 
 /// A PNG as the address of an embedded image.

@@ -64,7 +64,7 @@ static SYMBOLS: LazyLock<Vec<(&str, &str)>> = LazyLock::new(|| {
 });
 
 /// Two dots above the letter before, and the same as a letter.
-const DOTS: char = '\u{308}';
+pub(super) const DOTS: char = '\u{308}';
 const DIAERESIS: char = '¨';
 
 /// A piece of a text, which no line ends within.
@@ -116,49 +116,93 @@ fn index_size(size: f64) -> f64 {
     (size * SMALLEST / FONT).max(SMALLEST)
 }
 
-/// A character as SVG writes it. A space that no line ends at is a space; characters that XML does not know
-/// are left out, and those that nobody sees.
-fn push_escaped(text: &mut String, character: char) {
+/// A character as it is drawn: a space that no line ends at is a space; characters that XML does not know are left out, and
+/// those that nobody sees.
+fn shown(character: char) -> Option<char> {
     match character {
-        '&' => text.push_str("&amp;"),
-        '<' => text.push_str("&lt;"),
-        '>' => text.push_str("&gt;"),
-        '"' => text.push_str("&quot;"),
-        '\'' => text.push_str("&apos;"),
-        '\u{a0}' | '\t' | '\n' | '\r' => text.push(' '),
-        c if is_hidden(c) || matches!(c, '\u{fffe}' | '\u{ffff}') => {}
-        c => text.push(c),
+        '\u{a0}' | '\t' | '\n' | '\r' => Some(' '),
+        c if is_hidden(c) || matches!(c, '\u{fffe}' | '\u{ffff}') => None,
+        c => Some(c),
     }
 }
 
-/// A text as SVG, indices lowered.
-pub fn marked_up(text: &str, size: f64) -> String {
-    let mut marked = String::new();
-    let push = |marked: &mut String, text: &str| {
-        text.chars().for_each(|character| push_escaped(marked, character));
-    };
+/// Letters in succession of one size, and where they stand.
+pub(super) struct Run {
+    pub text: String,
+    pub size: f64,
+    pub stand: Stand,
+}
+
+/// Where letters stand.
+#[derive(PartialEq)]
+pub(super) enum Stand {
+    /// On the line, behind those before them.
+    Line,
+    /// So many points further back.
+    Back(f64),
+    /// Below the line, as an index.
+    Below,
+    /// Above it, as a power.
+    Above,
+}
+
+/// A text as it is drawn, indices lowered.
+pub(super) fn runs(text: &str, size: f64) -> Vec<Run> {
+    fn push(runs: &mut Vec<Run>, letters: impl Iterator<Item = char>, size: f64, stand: Stand) {
+        let text = letters.filter_map(shown);
+        match runs.last_mut() {
+            Some(last) if last.stand == stand && stand == Stand::Line => last.text.extend(text),
+            _ => runs.push(Run { text: text.collect(), size, stand }),
+        }
+    }
+    let mut runs = Vec::new();
     for (_, piece) in pieces(text) {
-        let (shift, raised) = match piece {
+        let (stand, raised) = match piece {
             Piece::Plain(character) => {
-                push_escaped(&mut marked, character);
+                push(&mut runs, std::iter::once(character), size, Stand::Line);
                 continue;
             }
             Piece::Symbol(letter, index) => {
                 let (plain, has_dots) = dotted(letter);
-                push(&mut marked, plain);
+                push(&mut runs, plain.chars(), size, Stand::Line);
                 if has_dots {
                     let wide = |text: &str| text.chars().map(font::advance).sum::<f64>();
                     let back = 0.5 * size * (wide(plain) + font::advance(DIAERESIS));
-                    marked.push_str(&format!("<tspan dx=\"-{back:.2}\">{DIAERESIS}</tspan>"));
+                    push(&mut runs, std::iter::once(DIAERESIS), size, Stand::Back(back));
                 }
-                ("sub", index)
+                (Stand::Below, index)
             }
-            Piece::Power(power) => ("super", power),
+            Piece::Power(power) => (Stand::Above, power),
         };
-        let small = index_size(size);
-        marked.push_str(&format!("<tspan baseline-shift=\"{shift}\" font-size=\"{small:.2}\">"));
-        push(&mut marked, raised);
-        marked.push_str("</tspan>");
+        push(&mut runs, raised.chars(), index_size(size), stand);
+    }
+    runs
+}
+
+/// A text as SVG, indices lowered.
+pub(super) fn marked_up(text: &str, size: f64) -> String {
+    let mut marked = String::new();
+    for Run { text, size, stand } in runs(text, size) {
+        let shift = match stand {
+            Stand::Line => String::new(),
+            Stand::Back(back) => format!("<tspan dx=\"-{back:.2}\">"),
+            Stand::Below => format!("<tspan baseline-shift=\"sub\" font-size=\"{size:.2}\">"),
+            Stand::Above => format!("<tspan baseline-shift=\"super\" font-size=\"{size:.2}\">"),
+        };
+        marked += &shift;
+        for character in text.chars() {
+            match character {
+                '&' => marked.push_str("&amp;"),
+                '<' => marked.push_str("&lt;"),
+                '>' => marked.push_str("&gt;"),
+                '"' => marked.push_str("&quot;"),
+                '\'' => marked.push_str("&apos;"),
+                c => marked.push(c),
+            }
+        }
+        if !shift.is_empty() {
+            marked.push_str("</tspan>");
+        }
     }
     marked
 }

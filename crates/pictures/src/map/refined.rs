@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use std::io::{self, Write};
 
 use crate::drawing::error::FigureError;
+use crate::drawing::svg::hex;
 use topple::refine::refined::RefinedMap;
-use topple::results::colour::Colour;
 use topple::results::columns::Column;
 use topple::results::outcomes::Outcomes;
 use topple::results::palette::{Kind, dots};
@@ -120,11 +120,6 @@ pub fn write_svg(map: &RefinedMap, palette: Palette, mut writer: impl Write) -> 
         writeln!(writer, "<path fill=\"{fill}\" d=\"{paths}\"><title>{label}</title></path>")?;
     }
     writeln!(writer, "</svg>")
-}
-
-/// A colour as SVG writes it.
-fn hex([r, g, b]: Colour) -> String {
-    format!("#{r:02x}{g:02x}{b:02x}")
 }
 
 /// A corner of cells: its column and its line from the top.

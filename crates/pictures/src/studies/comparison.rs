@@ -5,6 +5,7 @@ use super::of_standing;
 use crate::drawing::canvas::{Canvas, Place, Stroke, dashed, stroke};
 use crate::drawing::frame::{Axis, BELOW, Frame, Written};
 use crate::drawing::legend::{self, Entry, entry};
+use crate::drawing::picture::Picture;
 use crate::drawing::print::Print;
 use crate::drawing::share::given;
 use crate::drawing::swatch::{Mark, Swatch};
@@ -51,8 +52,8 @@ struct Panel<'a> {
     shown: Shown<'a>,
 }
 
-/// Draws a comparison as SVG; none of more devices than [`MOST`].
-pub fn draw(comparison: &Comparison, title: &str, print: Print) -> Option<String> {
+/// Draws a comparison; none of more devices than [`MOST`].
+pub fn draw(comparison: &Comparison, title: &str, print: Print) -> Option<Picture> {
     let count = comparison.devices.len();
     if count > MOST {
         return None;

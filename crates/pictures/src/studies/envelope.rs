@@ -6,6 +6,7 @@ use crate::drawing::canvas::{Place, Point, Stroke, dashed, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH};
 use crate::drawing::legend::{self, entry};
+use crate::drawing::picture::Picture;
 use crate::drawing::print::Print;
 use crate::drawing::raster::png;
 use crate::drawing::share::given;
@@ -40,11 +41,15 @@ fn border(least: f64, shares: impl Iterator<Item = f64>, motions: usize) -> f64 
     least - 0.5 * gaps.fold(1.0 / motions as f64, f64::min)
 }
 
-/// Draws an envelope over two axes as SVG; none where there are not two of several values.
+/// Draws an envelope over two axes; none where there are not two of several values.
 ///
 /// # Errors
 /// [`FigureError::Encode`].
-pub fn draw(envelope: &Envelope, title: &str, print: Print) -> Result<Option<String>, FigureError> {
+pub fn draw(
+    envelope: &Envelope,
+    title: &str,
+    print: Print,
+) -> Result<Option<Picture>, FigureError> {
     let grid = &envelope.sweep.grid;
     let (columns, rows) = grid.shape();
     if grid.axes().len() != 2 || columns < 2 || rows < 2 {

@@ -5,6 +5,7 @@ use super::of_standing;
 use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke};
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use crate::drawing::legend::{self, entry};
+use crate::drawing::picture::Picture;
 use crate::drawing::print::Print;
 use crate::drawing::share::given;
 use crate::drawing::swatch::Swatch;
@@ -31,8 +32,8 @@ struct Panel<'a> {
     most: Option<f64>,
 }
 
-/// Draws an envelope along the axis of its cells as SVG.
-pub fn draw(envelope: &Envelope, axis: &grid::Axis, title: &str, print: Print) -> String {
+/// Draws an envelope along the axis of its cells.
+pub fn draw(envelope: &Envelope, axis: &grid::Axis, title: &str, print: Print) -> Picture {
     let mut canvas = print.canvas(COLUMN);
     let most = canvas.inner();
     let fixed = words::fixed(&envelope.known());

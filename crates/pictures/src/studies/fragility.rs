@@ -4,6 +4,7 @@ use crate::drawing::canvas::{Canvas, Place, Point, dashed, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use crate::drawing::legend::{self, Entry, entry};
+use crate::drawing::picture::Picture;
 use crate::drawing::print::Print;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::{COLUMN, FONT, MARGIN, caption};
@@ -44,7 +45,7 @@ pub(super) fn begin(study: &Study, title: &str, print: Print) -> (Canvas, f64) {
 
 /// Draws the curves of a study of one cell: the shares of the records that fail at each level, by weight, and what the first
 /// estimator makes of them, dashed where no data are: below the lowest level at which a record fails, above the highest level.
-pub fn curves(study: &Study, intensity: Intensity, print: Print) -> String {
+pub fn curves(study: &Study, intensity: Intensity, print: Print) -> Picture {
     let title = format!("Fragility under {} motions", study.records().count());
     let (mut canvas, top) = begin(study, print.title.unwrap_or(&title), print);
     let wide = canvas.inner();
@@ -179,7 +180,7 @@ pub(super) fn digits(value: f64) -> String {
 }
 
 /// Draws theta of each limit state along an axis, with its interval.
-pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity, print: Print) -> String {
+pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity, print: Print) -> Picture {
     let title = format!("Median fragility under {} motions", study.records().count());
     let (mut canvas, top) = begin(study, print.title.unwrap_or(&title), print);
     let wide = canvas.inner();
@@ -246,7 +247,7 @@ pub fn maps(
     intensity: Intensity,
     target: Option<(&[Option<f64>], f64)>,
     print: Print,
-) -> Result<String, FigureError> {
+) -> Result<Picture, FigureError> {
     use super::shades::{Shades, paint};
     /// Between two plots.
     const APART: f64 = 14.0;

@@ -2,6 +2,7 @@
 
 use crate::drawing::canvas::{Canvas, Place, Point, dashed, stroke};
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT};
+use crate::drawing::picture::Picture;
 use crate::drawing::swatch::Mark;
 use crate::drawing::{COLUMN, MARGIN};
 use topple::results::colour::BLACK;
@@ -9,9 +10,9 @@ use topple::results::palette::CURVES;
 
 const HEIGHT: f64 = 110.0;
 
-/// Draws points of a level and its annual rate, over an axis with a label, as SVG; with a line at a rate, where one is
+/// Draws points of a level and its annual rate, over an axis with a label; with a line at a rate, where one is
 /// given. None of fewer than two points that logarithms have.
-pub fn draw(points: &[[f64; 2]], label: &str, target: Option<f64>) -> Option<String> {
+pub fn draw(points: &[[f64; 2]], label: &str, target: Option<f64>) -> Option<Picture> {
     let is_positive = |value: f64| value.is_finite() && value > 0.0;
     let mut points: Vec<[f64; 2]> = points.to_vec();
     points.retain(|point| point.iter().all(|value| is_positive(*value)));
@@ -51,7 +52,7 @@ mod tests {
     fn a_curve_needs_two_levels_and_has_a_line_at_a_target() {
         let points = [[1.0, 0.02], [2.0, 0.006], [4.0, 0.0012]];
         let lines = |target| {
-            draw(&points, "PGA [m/s²]", target).unwrap().matches("stroke-dasharray").count()
+            draw(&points, "PGA [m/s²]", target).unwrap().svg().matches("stroke-dasharray").count()
         };
         assert_eq!((lines(None), lines(Some(0.001))), (0, 1));
         assert!(draw(&points[..1], "", None).is_none());

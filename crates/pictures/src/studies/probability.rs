@@ -4,6 +4,7 @@ use crate::drawing::canvas::{Canvas, Place, Point, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame};
 use crate::drawing::legend::{self, entry};
+use crate::drawing::picture::Picture;
 use crate::drawing::print::Print;
 use crate::drawing::raster::png;
 use crate::drawing::swatch::Swatch;
@@ -38,7 +39,7 @@ fn said(scene: &Scene, uncertainty: &Uncertainty) -> Vec<String> {
     parts
 }
 
-/// Draws probabilities as SVG; none where there are not one or two axes of several values.
+/// Draws probabilities; none where there are not one or two axes of several values.
 ///
 /// # Errors
 /// [`FigureError::Encode`].
@@ -46,7 +47,7 @@ pub fn draw(
     all: &Probabilities,
     uncertainty: &Uncertainty,
     print: Print,
-) -> Result<Option<String>, FigureError> {
+) -> Result<Option<Picture>, FigureError> {
     let mut canvas = print.canvas(COLUMN);
     let most = canvas.inner();
     let title = format!("{}: {NAME}", print.title.unwrap_or(&all.scene.title));

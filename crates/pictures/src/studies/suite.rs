@@ -4,6 +4,7 @@ use crate::drawing::canvas::{Canvas, Place, Point, stroke};
 use crate::drawing::caption::bounded;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use crate::drawing::legend::{self, entry};
+use crate::drawing::picture::Picture;
 use crate::drawing::print::Print;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::text::{style, wrapped};
@@ -26,8 +27,8 @@ const HEIGHT: f64 = 130.0;
 /// A component of a motion: its samples.
 type Component = fn(&Pair) -> &[f64];
 
-/// Draws the spectra of both components as SVG.
-pub fn draw(suite: &Suite, print: Print) -> String {
+/// Draws the spectra of both components.
+pub fn draw(suite: &Suite, print: Print) -> Picture {
     let mut canvas = print.canvas(COLUMN);
     let wide = canvas.inner();
     let title = format!("Suite of {} motions", suite.motions().count());

@@ -11,6 +11,7 @@ use crate::drawing::canvas::{Canvas, Place, Point, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, Written};
 use crate::drawing::legend::{Entry, entry};
+use crate::drawing::picture::Picture;
 use crate::drawing::print::Print;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::text::style;
@@ -30,11 +31,11 @@ const MARKED: usize = 60;
 /// What is drawn: max |v|, which holds the static deflection, tells less than the stroke.
 const SHOWN: [&Field; 3] = [&FIELDS[0], &FIELDS[1], &FIELDS[3]];
 
-/// Draws the curves along the axis of a map's cells as SVG.
+/// Draws the curves along the axis of a map's cells.
 ///
 /// # Errors
 /// Any [`FigureError`].
-pub fn draw(map: &Map, axis: &grid::Axis, print: Print) -> Result<String, FigureError> {
+pub fn draw(map: &Map, axis: &grid::Axis, print: Print) -> Result<Picture, FigureError> {
     let mut canvas = print.canvas(COLUMN);
     let wide = canvas.inner();
     let along = format!("Rocking index, displacements and outcomes along {}", axis.entry().symbol);

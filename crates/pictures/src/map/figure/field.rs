@@ -14,6 +14,7 @@ use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{BELOW, Frame, Written};
 use crate::drawing::legend::{Entry, entry};
+use crate::drawing::picture::Picture;
 use crate::drawing::print::Print;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::text::{style, wrapped};
@@ -98,17 +99,17 @@ impl Shown {
     }
 }
 
-/// Draws a field as SVG; `at` tells what the map is a slice at.
+/// Draws a field; `at` tells what the map is a slice at.
 ///
 /// # Errors
 /// Any [`FigureError`].
-pub fn draw(map: &Map, field: &Field, at: &str, print: Print) -> Result<String, FigureError> {
+pub fn draw(map: &Map, field: &Field, at: &str, print: Print) -> Result<Picture, FigureError> {
     let title =
         titled(&format!("{}: {}", print.title.unwrap_or(&map.scene.title), field.title), at);
     beside(map, &[field], &title, print)
 }
 
-/// Draws fields of a map beside each other, with one legend, as SVG.
+/// Draws fields of a map beside each other, with one legend.
 ///
 /// # Errors
 /// Any [`FigureError`].
@@ -117,7 +118,7 @@ pub fn beside(
     fields: &[&Field],
     title: &str,
     print: Print,
-) -> Result<String, FigureError> {
+) -> Result<Picture, FigureError> {
     /// Between two plots.
     const APART: f64 = 12.0;
     let mut canvas = print.canvas(COLUMN);

@@ -6,6 +6,7 @@ use crate::drawing::canvas::{Place, Point, dashed, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, Written};
 use crate::drawing::legend::entry;
+use crate::drawing::picture::Picture;
 use crate::drawing::print::Print;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::text::{style, wrapped};
@@ -38,7 +39,7 @@ struct Strip {
     points: Vec<Point>,
 }
 
-/// Draws the motion as SVG.
+/// Draws the motion.
 ///
 /// # Errors
 /// Any [`FigureError`].
@@ -48,7 +49,7 @@ pub fn draw(
     rows: &[Row],
     outcome: &Outcome,
     print: Print,
-) -> Result<String, FigureError> {
+) -> Result<Picture, FigureError> {
     let mut canvas = print.canvas(COLUMN);
     let wide = canvas.inner();
     let mut y = caption::heading(&mut canvas, scene, print.title.unwrap_or(&scene.title));

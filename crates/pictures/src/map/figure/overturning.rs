@@ -8,6 +8,7 @@ use super::{keys, layout};
 use crate::drawing::canvas::{Canvas, Place};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{BELOW, BOTH};
+use crate::drawing::picture::Picture;
 use crate::drawing::print::Print;
 use crate::drawing::raster::png;
 use crate::drawing::{MARGIN, legend, swatch};
@@ -15,11 +16,11 @@ use topple::results::colour::Colour;
 use topple::results::palette::Kind;
 use topple::stepping::outcome::Outcome;
 
-/// Draws the map as SVG; `at` tells what it is a slice at.
+/// Draws the map; `at` tells what it is a slice at.
 ///
 /// # Errors
 /// Any [`FigureError`].
-pub fn draw(map: &Map, at: &str, print: Print) -> Result<String, FigureError> {
+pub fn draw(map: &Map, at: &str, print: Print) -> Result<Picture, FigureError> {
     let (mut canvas, place) =
         begin(map, &titled(print.title.unwrap_or(&map.scene.title), at), print);
     let wide = canvas.inner();

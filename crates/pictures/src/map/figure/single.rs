@@ -7,6 +7,7 @@ use super::layout::{GAP, titled};
 use super::overlay::Overlay;
 use crate::drawing::canvas::stroke;
 use crate::drawing::legend::{Entry, entry};
+use crate::drawing::picture::Picture;
 use crate::drawing::print::Print;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::ticks::rounded;
@@ -14,8 +15,8 @@ use crate::drawing::{COLUMN, MARGIN, caption, legend};
 use topple::results::colour::BLACK;
 use topple::scene::builder::TITLES;
 
-/// Draws the cell as SVG; `at` tells what it is a slice at.
-pub fn draw(map: &Map, at: &str, print: Print) -> String {
+/// Draws the cell; `at` tells what it is a slice at.
+pub fn draw(map: &Map, at: &str, print: Print) -> Picture {
     let own = map.scene.title.as_str();
     // What it is called where nobody names it is a map.
     let own = if TITLES.contains(&own) { "Outcome of one case" } else { own };

@@ -9,6 +9,7 @@ use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, Written};
 use crate::drawing::legend::{Entry, entry};
+use crate::drawing::picture::Picture;
 use crate::drawing::print::Print;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::ticks::rounded;
@@ -41,11 +42,11 @@ fn line_of(number: usize) -> Stroke {
     }
 }
 
-/// Draws the spectra of a map as SVG; none of a map that has not two axes.
+/// Draws the spectra of a map; none of a map that has not two axes.
 ///
 /// # Errors
 /// [`FigureError`].
-pub fn draw(map: &Map, print: Print) -> Result<Option<String>, FigureError> {
+pub fn draw(map: &Map, print: Print) -> Result<Option<Picture>, FigureError> {
     let (Some(spectrum), Some(y_axis)) = (Spectrum::of(map), map.grid.y()) else { return Ok(None) };
     let x_axis = map.grid.x();
     let mut canvas = print.canvas(COLUMN);

@@ -1,0 +1,233 @@
+//! The pixels of a picture.
+
+use tiny_skia::{
+    Color, ColorU8, FillRule, FilterQuality, LineJoin, Mask, Paint as Ink, Path, PathBuilder,
+    Pattern, Pixmap, Rect, SpreadMode, StrokeDash, Transform,
+};
+
+use super::canvas::{Place, Stroke};
+use super::error::FigureError;
+use super::picture::{Mark, Paint, Picture, Step};
+use super::{glyphs, raster};
+
+/// Pixels an inch of a picture's PNG: what journals ask for.
+const PRINT: f64 = 300.0;
+/// Pixels an inch of an animation, which is shown on a screen.
+const SCREEN: f64 = 150.0;
+/// Millimetres of an inch.
+const INCH: f64 = 25.4;
+
+impl Picture {
+    /// A PNG of 300 pixels an inch, which it says itself: a layout program places it in the SVG's size.
+    ///
+    /// # Errors
+    /// [`FigureError::Encode`].
+    pub fn png(&self) -> Result<Vec<u8>, FigureError> {
+        let pixmap = self.pixels(PRINT)?;
+        let (width, height) = (pixmap.width() as usize, pixmap.height() as usize);
+        // The paper is white and opaque: no pixel's colour is scaled by its opacity.
+        let (pixels, _) = pixmap.data().as_chunks::<4>();
+        raster::encode((width, height), pixels, Some(PRINT as f32))
+    }
+
+    /// The pixels of a frame of an animation, with 150 an inch: red, green, blue and opacity.
+    ///
+    /// # Errors
+    /// [`FigureError::Encode`].
+    pub fn frame(&self) -> Result<Pixmap, FigureError> {
+        self.pixels(SCREEN)
+    }
+
+    fn pixels(&self, per_inch: f64) -> Result<Pixmap, FigureError> {
+        let side = |millimetres: f64| (millimetres / INCH * per_inch).round() as u32;
+        let mut pixmap = Pixmap::new(side(self.paper.0), side(self.paper.1))
+            .ok_or_else(|| FigureError::Encode("no memory for the picture".into()))?;
+        pixmap.fill(Color::WHITE);
+        let scale = (self.unit() / INCH * per_inch) as f32;
+        let mut paper = Paper { pixmap, scale: Transform::from_scale(scale, scale) };
+        paper.marks(&self.marks, None)?;
+        Ok(paper.pixmap)
+    }
+}
+
+/// Pixels, and how many of them a unit of the marks is.
+struct Paper {
+    pixmap: Pixmap,
+    scale: Transform,
+}
+
+impl Paper {
+    /// Draws marks, within a mask alone where there is one.
+    fn marks(&mut self, marks: &[Mark], within: Option<&Mask>) -> Result<(), FigureError> {
+        for mark in marks {
+            match mark {
+                Mark::Text { at, style, text } => {
+                    let outline = glyphs::outline(*at, *style, text);
+                    self.shape(&outline, Paint::Fill(style.colour, 1.0), false, within);
+                }
+                Mark::Image { place, png, sharp } => self.image(*place, png, *sharp, within)?,
+                Mark::Clip(place, inner) => {
+                    if let Some(mask) = self.cut(*place, within) {
+                        self.marks(inner, Some(&mask))?;
+                    }
+                }
+                Mark::Rectangle(..) | Mark::Path(..) | Mark::Circle(..) => {
+                    if let Some((steps, paint, round)) = mark.shape() {
+                        self.shape(&steps, paint, round, within);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn shape(&mut self, steps: &[Step], paint: Paint, round: bool, within: Option<&Mask>) {
+        let Some(path) = path(steps) else { return };
+        let mut ink = Ink::default();
+        match paint {
+            Paint::Fill([r, g, b], opacity) => {
+                ink.set_color_rgba8(r, g, b, (255.0 * opacity).round() as u8);
+                self.pixmap.fill_path(&path, &ink, FillRule::Winding, self.scale, within);
+            }
+            Paint::Line(Stroke { colour: [r, g, b], width, dash }) => {
+                ink.set_color_rgba8(r, g, b, 255);
+                let dash = dash.map(|(dash, gap)| vec![dash as f32, gap as f32]);
+                let dash = dash.and_then(|dash| StrokeDash::new(dash, 0.0));
+                let line_join = if round { LineJoin::Round } else { LineJoin::Miter };
+                let width = width as f32;
+                let stroke = tiny_skia::Stroke { width, line_join, dash, ..Default::default() };
+                self.pixmap.stroke_path(&path, &ink, &stroke, self.scale, within);
+            }
+        }
+    }
+
+    fn image(
+        &mut self,
+        place: Place,
+        png: &[u8],
+        sharp: bool,
+        within: Option<&Mask>,
+    ) -> Result<(), FigureError> {
+        let ((width, height), colours) = raster::decode(png)?;
+        let Some(mut pixels) = Pixmap::new(width, height) else { return Ok(()) };
+        for (pixel, [r, g, b, opacity]) in pixels.pixels_mut().iter_mut().zip(colours) {
+            *pixel = ColorU8::from_rgba(r, g, b, opacity).premultiply();
+        }
+        let (wide, high) = (width as f32, height as f32);
+        let Some(area) = Rect::from_xywh(0.0, 0.0, wide, high) else { return Ok(()) };
+        let quality = if sharp { FilterQuality::Nearest } else { FilterQuality::Bicubic };
+        let whole = Transform::identity();
+        let ink = Ink {
+            shader: Pattern::new(pixels.as_ref(), SpreadMode::Pad, quality, 1.0, whole),
+            ..Ink::default()
+        };
+        let (x, y) = (place.x as f32, place.y as f32);
+        let [across, down] = [place.width as f32 / wide, place.height as f32 / high];
+        let to = self.scale.pre_concat(Transform::from_row(across, 0.0, 0.0, down, x, y));
+        self.pixmap.fill_rect(area, &ink, to, within);
+        Ok(())
+    }
+
+    /// What lies in a place, and within the mask before.
+    fn cut(&self, place: Place, within: Option<&Mask>) -> Option<Mask> {
+        let path = path(&place.steps())?;
+        let mask = match within {
+            Some(mask) => {
+                let mut mask = mask.clone();
+                mask.intersect_path(&path, FillRule::Winding, true, self.scale);
+                mask
+            }
+            None => {
+                let mut mask = Mask::new(self.pixmap.width(), self.pixmap.height())?;
+                mask.fill_path(&path, FillRule::Winding, true, self.scale);
+                mask
+            }
+        };
+        Some(mask)
+    }
+}
+
+fn path(steps: &[Step]) -> Option<Path> {
+    let mut path = PathBuilder::new();
+    for step in steps {
+        match *step {
+            Step::Move((x, y)) => path.move_to(x as f32, y as f32),
+            Step::Line((x, y)) => path.line_to(x as f32, y as f32),
+            Step::Quad((a, b), (x, y)) => path.quad_to(a as f32, b as f32, x as f32, y as f32),
+            Step::Cubic((a, b), (c, d), (x, y)) => {
+                path.cubic_to(a as f32, b as f32, c as f32, d as f32, x as f32, y as f32);
+            }
+            Step::Close => path.close(),
+        }
+    }
+    path.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::drawing::MILLIMETRE;
+    use crate::drawing::canvas::{Canvas, Place, stroke};
+    use crate::drawing::raster::png;
+    use crate::drawing::text::style;
+
+    /// A canvas of 72 by 36 points is 300 by 150 pixels.
+    #[test]
+    fn marks_lie_where_they_are_drawn_and_are_cut_at_the_edge_of_their_place() {
+        let mut canvas = Canvas::new(72.0);
+        let place = |x, y, width, height| Place { x, y, width, height };
+        canvas.fill(place(6.0, 6.0, 12.0, 12.0), [255, 0, 0]);
+        canvas.fill_through(place(6.0, 12.0, 6.0, 6.0), [0, 0, 255], 0.5);
+        canvas.disc((30.0, 12.0), 6.0, [0, 128, 0]);
+        canvas.line([(40.0, 12.0), (60.0, 12.0)], stroke([0, 0, 0], 1.2));
+        let image = png((2, 1), |column, _| [255 * column as u8, 0, 0, 255]).unwrap();
+        canvas.image(place(6.0, 24.0, 12.0, 6.0), &image, true);
+        canvas.clipped(place(24.0, 24.0, 6.0, 6.0), |canvas| {
+            canvas.fill(place(0.0, 20.0, 72.0, 12.0), [9, 9, 9]);
+        });
+        let picture = canvas.finish(36.0);
+        assert!((picture.points().0 - 72.0).abs() < 1e-9, "{:?}", picture.points());
+        let pixels = picture.pixels(300.0).unwrap();
+        assert_eq!((pixels.width(), pixels.height()), (300, 150));
+        let at = |x: f64, y: f64| {
+            let pixel = pixels.pixel((x * 300.0 / 72.0) as u32, (y * 300.0 / 72.0) as u32).unwrap();
+            [pixel.red(), pixel.green(), pixel.blue()]
+        };
+        let white = [255, 255, 255];
+        assert_eq!([at(15.0, 9.0), at(5.5, 9.0), at(18.5, 9.0)], [[255, 0, 0], white, white]);
+        assert_eq!([at(9.0, 15.0), at(15.0, 15.0)], [[127, 0, 128], [255, 0, 0]]);
+        assert_eq!([at(30.0, 7.0), at(35.5, 17.5)], [[0, 128, 0], white]);
+        assert_eq!([at(50.0, 12.0), at(50.0, 13.0), at(61.0, 12.0)], [[0; 3], white, white]);
+        assert_eq!([at(11.0, 27.0), at(13.0, 27.0)], [[0; 3], [255, 0, 0]]);
+        assert_eq!([at(23.5, 27.0), at(27.0, 27.0), at(30.5, 27.0)], [white, [9; 3], white]);
+    }
+
+    /// Letters have their feet at their place; those of an upward text run up from it.
+    #[test]
+    fn letters_stand_at_their_place() {
+        let extent = |style, text| {
+            let mut canvas = Canvas::new(100.0 * MILLIMETRE);
+            canvas.text((140.0, 140.0), style, text);
+            let pixels = canvas.finish(100.0 * MILLIMETRE).pixels(72.0).unwrap();
+            let width = pixels.width() as usize;
+            let dark = pixels.pixels().iter().enumerate().filter(|(_, pixel)| pixel.red() < 128);
+            let dark: Vec<(usize, usize)> = dark.map(|(at, _)| (at % width, at / width)).collect();
+            let of = |side: fn(&(usize, usize)) -> usize| {
+                let all = || dark.iter().map(side);
+                (all().min().unwrap(), all().max().unwrap())
+            };
+            (of(|at| at.0), of(|at| at.1))
+        };
+        let near = |place: (usize, usize), wanted: (usize, usize)| {
+            place.0.abs_diff(wanted.0) <= 3 && place.1.abs_diff(wanted.1) <= 3
+        };
+        // An H of 40 points is some 28 high; the middle of HH is between them.
+        let (across, down) = extent(style(40.0), "HH");
+        assert!(near(down, (112, 139)) && near(across, (143, 193)), "{across:?} {down:?}");
+        let (across, down) = extent(style(40.0).end(), "HH");
+        assert!(near(down, (112, 139)) && near(across, (88, 136)), "{across:?} {down:?}");
+        let (across, down) = extent(style(40.0).middle().upwards(), "HH");
+        assert!(near(across, (112, 139)) && near(down, (115, 165)), "{across:?} {down:?}");
+        // An index is below the line.
+        assert!(extent(style(40.0), "T_h").1.1 > 143);
+    }
+}
