@@ -4,15 +4,16 @@ use std::io::Write;
 
 use flate2::Compression;
 use flate2::write::ZlibEncoder;
-use pdf_writer::types::LineJoinStyle;
+use pdf_writer::types::{LineJoinStyle, Predictor};
 use pdf_writer::{Content, Filter, Name, Pdf, Rect, Ref, Str, TextStr};
 
 use super::canvas::{Place, Point, Stroke};
 use super::error::FigureError;
+use super::glyphs;
 use super::pdf_fonts::{self, Fonts};
 use super::picture::{Mark, Paint, Picture, Step};
+use super::raster::{self, Packed};
 use super::text::Style;
-use super::{glyphs, raster};
 use topple::results::colour::{Colour, WHITE};
 
 /// A picture on a page: where its upper left corner lies from that of the page, points, and a factor on its size.
@@ -111,8 +112,21 @@ impl Writer {
         Ref::new(self.last)
     }
 
-    /// An image of red, green and blue, and its opacity where it is not opaque.
+    /// An image: one with a table of colours as it is packed, any other of red, green and blue with its opacity where it is not
+    /// opaque.
     fn image(&mut self, png: &[u8]) -> Result<Ref, FigureError> {
+        if let Some(Packed { size: (width, height), bits, table, data }) = raster::packed(png) {
+            let (id, bits, width) = (self.next(), i32::from(bits), width as i32);
+            let mut image = self.pdf.image_xobject(id, &data);
+            image.width(width).height(height as i32).bits_per_component(bits);
+            let last = (table.len() / 3) as i32 - 1;
+            image.color_space().indexed(Name(b"DeviceRGB"), last, &table);
+            image.filter(Filter::FlateDecode);
+            let mut packing = image.decode_parms();
+            packing.predictor(Predictor::PngOptimum).colors(1);
+            packing.bits_per_component(bits).columns(width);
+            return Ok(id);
+        }
         let ((width, height), pixels) = raster::decode(png)?;
         let has_opacity = pixels.iter().any(|[.., opacity]| *opacity < 255);
         let colours: Vec<u8> = pixels.iter().flat_map(|[r, g, b, _]| [*r, *g, *b]).collect();
@@ -399,10 +413,12 @@ mod tests {
         canvas.text((10.0, 90.0), style(7.0).middle().upwards(), "upwards");
         let place = Place { x: 10.0, y: 30.0, width: 20.0, height: 20.0 };
         canvas.image(place, &png((3, 2), |x, _| [9, 9, 9, 255 - x as u8]).unwrap(), true);
+        canvas.image(place, &png((3, 2), |x, y| [x as u8, y as u8, 9, 255]).unwrap(), true);
         let placed = Placed { picture: canvas.finish(100.0), x: 5.0, y: 7.0, scale: 0.5 };
         let pdf = pages(&[vec![placed.clone()], vec![placed]], (300.0, 400.0), ("a", "b")).unwrap();
         let plain = String::from_utf8_lossy(&pdf);
-        assert_eq!((plain.matches("/Type3").count(), plain.matches("/SMask").count()), (1, 2));
+        let of = ["/Type3", "/SMask", "/Indexed"].map(|kind| plain.matches(kind).count());
+        assert_eq!(of, [1, 2, 2]);
         let streams = streams(&pdf);
         let map = streams.iter().find(|stream| stream.contains("beginbfchar")).unwrap();
         let pairs = map.lines().filter_map(|line| line.strip_prefix('<')?.split_once("> <"));

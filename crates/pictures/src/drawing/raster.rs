@@ -120,7 +120,7 @@ fn unread(error: DecodingError) -> FigureError {
 ///
 /// # Errors
 /// [`FigureError::Encode`]: no PNG.
-pub fn decode(png: &[u8]) -> Result<((u32, u32), Vec<Rgba>), FigureError> {
+pub(super) fn decode(png: &[u8]) -> Result<((u32, u32), Vec<Rgba>), FigureError> {
     let mut reader = reader(png)?;
     let size = reader.output_buffer_size();
     let size = size.ok_or_else(|| FigureError::Encode("no memory for an image".into()))?;
@@ -135,11 +135,42 @@ pub fn decode(png: &[u8]) -> Result<((u32, u32), Vec<Rgba>), FigureError> {
     Ok(((frame.width, frame.height), pixels.collect()))
 }
 
+/// A PNG whose pixels are opaque colours of a table, as it is packed.
+pub(super) struct Packed {
+    pub size: (u32, u32),
+    /// Bits of a pixel.
+    pub bits: u8,
+    /// Red, green and blue of each colour.
+    pub table: Vec<u8>,
+    /// Lines of pixels, each behind the number of its filter, as zlib packs them.
+    pub data: Vec<u8>,
+}
+
+/// A PNG without unpacking it; none where its pixels are not opaque colours of a table, row by row.
+pub(super) fn packed(png: &[u8]) -> Option<Packed> {
+    let reader = reader(png).ok()?;
+    let info = reader.info();
+    let is_plain = info.color_type == ColorType::Indexed && !info.interlaced;
+    let table = info.palette.as_ref().filter(|_| is_plain && info.trns.is_none())?.to_vec();
+    let mut data = Vec::new();
+    let mut rest = png.get(8..)?;
+    // Length, name, content and check sum of each chunk.
+    while let Some((head, after)) = rest.split_first_chunk::<8>() {
+        let [a, b, c, d, name @ ..] = *head;
+        let length = u32::from_be_bytes([a, b, c, d]) as usize;
+        if name == *b"IDAT" {
+            data.extend(after.get(..length)?);
+        }
+        rest = after.get(length.checked_add(4)?..)?;
+    }
+    Some(Packed { size: (info.width, info.height), bits: info.bit_depth as u8, table, data })
+}
+
 /// Width and height of a PNG in points: those that it says, or a point a pixel.
 ///
 /// # Errors
 /// [`FigureError::Encode`]: no PNG.
-pub fn size(png: &[u8]) -> Result<(f64, f64), FigureError> {
+pub(super) fn size(png: &[u8]) -> Result<(f64, f64), FigureError> {
     let reader = reader(png)?;
     let info = reader.info();
     let known =

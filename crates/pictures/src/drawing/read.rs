@@ -15,18 +15,23 @@ impl Picture {
         let root = lines.next()?;
         let (_, size) = root.split_once(" viewBox=\"0 0 ")?;
         let [width, height] = numbers(size.split_once('"')?.0)?[..] else { return None };
-        let millimetres = |name| attribute(root, name)?.strip_suffix("mm")?.parse().ok();
+        let millimetres = |name| finite(attribute(root, name)?.strip_suffix("mm")?);
         let paper = (millimetres("width")?, millimetres("height")?);
         // White paper.
         lines.next()?;
-        let marks = marks(&mut lines)?;
+        let marks = marks(&mut lines, DEEPEST)?;
         let picture = Picture { size: (width, height), paper, outlines: false, marks };
-        (picture.svg() == svg).then_some(picture)
+        let has_size = [width, height, paper.0, paper.1].iter().all(|side| *side > 0.0);
+        (has_size && picture.svg() == svg).then_some(picture)
     }
 }
 
+/// Groups within groups: pictures have one.
+const DEEPEST: usize = 8;
+
 /// Marks up to where their group ends.
-fn marks<'a>(lines: &mut impl Iterator<Item = &'a str>) -> Option<Vec<Mark>> {
+fn marks<'a>(lines: &mut impl Iterator<Item = &'a str>, deepest: usize) -> Option<Vec<Mark>> {
+    let deepest = deepest.checked_sub(1)?;
     let mut marks = Vec::new();
     loop {
         let line = lines.next()?;
@@ -42,7 +47,7 @@ fn marks<'a>(lines: &mut impl Iterator<Item = &'a str>) -> Option<Vec<Mark>> {
                 sharp: line.contains(" style="),
             },
             "<text" => text(line)?,
-            "<clipPath" => Mark::Clip(place(line)?, self::marks(lines)?),
+            "<clipPath" => Mark::Clip(place(line)?, self::marks(lines, deepest)?),
             _ => return None,
         });
     }
@@ -53,12 +58,16 @@ fn attribute<'a>(line: &'a str, name: &str) -> Option<&'a str> {
     Some(value.split_once('"')?.0)
 }
 
+fn finite(number: &str) -> Option<f64> {
+    number.parse().ok().filter(|number: &f64| number.is_finite())
+}
+
 fn number(line: &str, name: &str) -> Option<f64> {
-    attribute(line, name)?.parse().ok()
+    finite(attribute(line, name)?)
 }
 
 fn numbers(text: &str) -> Option<Vec<f64>> {
-    text.split(' ').map(|number| number.parse().ok()).collect()
+    text.split(' ').map(finite).collect()
 }
 
 fn colour(text: &str) -> Option<Colour> {
@@ -203,6 +212,9 @@ mod tests {
             svg.replace("<rect width", "<rect  width"),
             svg.replace("</svg>\n", ""),
             svg.replace("T<tspan", "<a>T</a><tspan"),
+            svg.replace("viewBox=\"0 0 144 ", "viewBox=\"0 0 0 "),
+            svg.replace("cx=\"70\"", "cx=\"NaN\""),
+            svg.replace("r=\"3\"", "r=\"inf\""),
             "<svg/>".into(),
             String::new(),
         ];
