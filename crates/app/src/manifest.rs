@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use rayon::prelude::*;
 use serde::Serialize;
 
 use topple::backend::description::AdapterDescription;
@@ -20,6 +19,7 @@ use topple::sweep::map::MapSweep;
 use topple::sweep::repaired::Repair;
 use topple::sweep::settings::Method;
 use topple::sweep::verification::Verification;
+use topple::work::parallel;
 use topple_studies::Sharpness;
 
 use super::picture_flags::PictureFlags;
@@ -217,8 +217,13 @@ impl Steps {
         let extreme = |(short, most): (f64, u32), (step, steps): (f64, u32)| {
             (short.min(step), most.max(steps))
         };
-        let none = || (f64::INFINITY, 0);
-        let (shortest, most) = (0..grid.len()).into_par_iter().map(of).reduce(none, extreme);
+        let none = (f64::INFINITY, 0);
+        let parts = parallel::each(grid.len().div_ceil(parallel::LOOKUPS), 1, |part| {
+            let first = part * parallel::LOOKUPS;
+            let cells = first..(first + parallel::LOOKUPS).min(grid.len());
+            cells.map(of).fold(none, extreme)
+        });
+        let (shortest, most) = parts.into_iter().fold(none, extreme);
         Steps { largest: plan.resolution.largest_step, shortest, most }
     }
 }

@@ -3,7 +3,6 @@
 use std::iter;
 use std::path::PathBuf;
 
-use rayon::prelude::*;
 use topple::results::column_set::ColumnSet;
 use topple::results::files::Directory;
 use topple::results::{csv, npz};
@@ -11,6 +10,7 @@ use topple::scene::{Grid, Scene};
 use topple::sweep::map::MapSweep;
 use topple::work::observed::ObservedOutcomes;
 use topple::work::observer::{Observer, Phase};
+use topple::work::parallel;
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::print::Print;
@@ -72,11 +72,12 @@ fn names_of_pictures(scene: &Scene, grid: &Grid, asked: ColumnSet) -> Vec<String
 fn draw(slices: &[Slice], print: Print) -> Result<Vec<Figure>, FigureError> {
     match slices {
         [whole] => figures(&whole.map, print),
-        slices => slices
-            .par_iter()
-            .enumerate()
-            .map(|(number, slice)| main_figure(&slice.map, &slice.at, &name_of(number), print))
-            .collect(),
+        slices => parallel::each(slices.len(), 1, |number| {
+            let slice = &slices[number];
+            main_figure(&slice.map, &slice.at, &name_of(number), print)
+        })
+        .into_iter()
+        .collect(),
     }
 }
 
@@ -183,11 +184,11 @@ fn figures(map: &Map, print: Print) -> Result<Vec<Figure>, FigureError> {
         Ok((name.into(), picture, png))
     };
     let shown: Vec<_> = fields_of(map.scene, map.columns).collect();
-    let others: Vec<Figure> = shown
-        .into_par_iter()
-        .map(|field| finish(field.name, field::draw(map, field, "", print)?))
-        .collect::<Result<_, _>>()?;
-    figures.extend(others);
+    let others = parallel::each(shown.len(), 1, |number| {
+        let field = shown[number];
+        finish(field.name, field::draw(map, field, "", print)?)
+    });
+    figures.extend(others.into_iter().collect::<Result<Vec<_>, _>>()?);
     let contact = contact(map.columns);
     if let Some(first) = contact.first() {
         let titles: Vec<&str> = contact.iter().map(|field| field.title).collect();

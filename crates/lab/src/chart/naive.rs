@@ -2,7 +2,6 @@
 //! step's end, kinks stepped across.
 
 use bytemuck::Zeroable;
-use rayon::prelude::*;
 
 use topple::cells::plan::Plan;
 use topple::model::CellEquations;
@@ -20,6 +19,7 @@ use topple::stepping::rk4::rk4;
 use topple::stepping::state::{
     DIVERGED, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, RUNNING, State, is_finite,
 };
+use topple::work::parallel;
 
 /// Runs cells of a grid on all cores, each with its first `events_kept` switches.
 pub fn sweep(
@@ -28,8 +28,8 @@ pub fn sweep(
     cells: &[usize],
     events_kept: usize,
 ) -> (Vec<Outcome>, Vec<Event<f64>>) {
-    let run = |&index: &usize| run(plan, &grid.case(index), events_kept);
-    let ran: Vec<(Outcome, FirstSwitches<f64>)> = cells.par_iter().map(run).collect();
+    let run = |number: usize| run(plan, &grid.case(cells[number]), events_kept);
+    let ran: Vec<(Outcome, FirstSwitches<f64>)> = parallel::each(cells.len(), parallel::SHORT, run);
     let (outcomes, events): (Vec<Outcome>, Vec<FirstSwitches<f64>>) = ran.into_iter().unzip();
     (outcomes, events.into_iter().flat_map(|kept| kept.0).collect())
 }

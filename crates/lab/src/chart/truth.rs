@@ -1,7 +1,5 @@
 //! What really happens in a bench's cells: the reference at a far tighter tolerance than charted.
 
-use rayon::prelude::*;
-
 use super::SWITCHES;
 use super::bench::Bench;
 use topple::cells::clock::Clock;
@@ -13,6 +11,7 @@ use topple::stepping::log::Event;
 use topple::stepping::outcome::Outcome;
 use topple::stepping::reference::system::{DPHI, DU, DV, PHI, Phase, Pole, State, U, V, Z};
 use topple::stepping::reference::{self, Settings, Switch};
+use topple::work::parallel;
 
 /// Settings of the truth: far tighter than any that is charted, and with steps so short that the
 /// cubic between them finds the crest of an angle to 1e-11. Where outcomes alone count, as on the
@@ -114,12 +113,11 @@ pub fn of_bench(
     let mut solutions = Vec::with_capacity(bench.len());
     for scene in &bench.scenes {
         let grid = Grid::of(scene);
-        let cells = (0..grid.len()).into_par_iter().map(|index| {
+        solutions.extend(parallel::each(grid.len(), 1, |index| {
             let cell = by_reference(scene, &grid.case(index), settings);
             done(1);
             cell
-        });
-        solutions.par_extend(cells);
+        }));
     }
     solutions
 }

@@ -1,12 +1,11 @@
 //! Intervals by resampling records.
 
-use rayon::prelude::*;
-
 use super::curve::{Curve, is_level};
 use super::fit::Fit;
 use super::hazard::HazardCurve;
 use crate::statistics::Bootstrap;
 use crate::statistics::bca::{FEWEST, acceleration, ends};
+use topple::work::parallel;
 
 /// Sets that a thread takes at once: fewer cost more to hand over than to fit.
 const AT_ONCE: usize = 32;
@@ -45,12 +44,12 @@ pub fn bootstrap(
 ) -> Interval {
     let (of, count) = dense(groups);
     let records = |times: &[u32]| of.iter().map(|group| times[*group]).collect::<Vec<_>>();
-    let draw = |replicate: u32| {
-        let fit = refit(&records(&settings.multipliers(count, replicate)));
+    let draw = |replicate: usize| {
+        // The number of replicates is of 32 bits.
+        let fit = refit(&records(&settings.multipliers(count, replicate as u32)));
         Drawn::of(&fit, hazard)
     };
-    let drawn: Vec<Drawn> =
-        (0..settings.replicates).into_par_iter().with_min_len(AT_ONCE).map(draw).collect();
+    let drawn: Vec<Drawn> = parallel::each(settings.replicates as usize, AT_ONCE, draw);
     let without_fit = drawn.iter().filter(|drawn| !drawn.fitted).count();
     let open = Interval { theta: [None; 2], beta: [None; 2], rate: [None; 2], without_fit };
     if count < 2 || drawn.iter().filter_map(|drawn| drawn.theta).count() < FEWEST as usize {
@@ -60,7 +59,7 @@ pub fn bootstrap(
         let times: Vec<u32> = (0..count).map(|group| u32::from(group != left_out)).collect();
         Drawn::of(&refit(&records(&times)), hazard)
     };
-    let left: Vec<Drawn> = (0..count).into_par_iter().with_min_len(AT_ONCE).map(without).collect();
+    let left: Vec<Drawn> = parallel::each(count, AT_ONCE, without);
     let interval = |value: fn(&Drawn) -> Option<f64>, estimate: f64| {
         let values = |of: &[Drawn]| of.iter().filter_map(value).collect::<Vec<_>>();
         match ends(values(&drawn), estimate, acceleration(&values(&left))) {

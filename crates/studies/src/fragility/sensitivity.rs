@@ -1,7 +1,5 @@
 //! What numbers that are not known add to a fragility, and which of them matter.
 
-use rayon::prelude::*;
-
 use super::Lognormal;
 use super::limit_state::LimitState;
 use super::runs::{Pool, RecordRuns};
@@ -12,6 +10,7 @@ use crate::suites::wanted::WantedMotion;
 use crate::uncertain::{Design, Index, Varied, indices};
 use topple::scene::Parameter;
 use topple::stepping::outcome::Class;
+use topple::work::parallel;
 
 /// Numbers that are not known, and the points at which each motion is swept.
 #[derive(Debug, Clone)]
@@ -71,7 +70,7 @@ impl Unknown {
         };
         Sensitivity {
             indices: indices(a, b, &ab, 0),
-            curves: (0..self.drawn()).into_par_iter().map(curve).collect(),
+            curves: parallel::each(self.drawn(), 1, curve),
         }
     }
 }

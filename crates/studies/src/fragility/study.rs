@@ -1,7 +1,5 @@
 //! The fragility of a grid's cells under a suite: every limit state by every estimator.
 
-use rayon::prelude::*;
-
 use super::capacity::{Capacity, share_that_stands_again};
 use super::estimate::{Estimate, Estimator, estimate};
 use super::hazard::HazardCurve;
@@ -17,7 +15,7 @@ use crate::suites::swept::SuiteSweep;
 use crate::uncertain::Varied;
 use topple::scene::Scene;
 use topple::work::observer::{Observer, Phase};
-use topple::work::threads::install;
+use topple::work::parallel;
 
 /// What a study estimates, and how.
 #[derive(Debug, Clone)]
@@ -124,8 +122,7 @@ impl Study {
                 unresolved: shaken.unresolved(cell),
             })
         };
-        let all = (0..sweep.grid.len()).into_par_iter().map(cell);
-        let cells = install(|| all.collect::<Option<Vec<_>>>())?;
+        let cells = parallel::each(sweep.grid.len(), 1, cell).into_iter().collect::<Option<_>>()?;
         Some(Study { sweep, settings, cells })
     }
 

@@ -3,14 +3,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use rayon::prelude::*;
-
 use super::entry::Entry;
 use super::files::Files;
 use super::names::{self, Component};
 use super::unused::LARGEST;
 use topple::scene::record::{RecordHints, Stated, read};
 use topple::scene::shown::shown;
+use topple::work::parallel;
 
 /// Files that are looked into for what they state; of more the names alone count.
 const LOOKED_AT: usize = 2000;
@@ -159,7 +158,8 @@ fn by_names(files: &[&str]) -> (Vec<Group>, Vec<String>) {
 /// The recordings of files by what these state.
 fn by_fields(files: &[String], all: &Files) -> Vec<Group> {
     let looked_at = &files[..files.len().min(LOOKED_AT)];
-    let stated: Vec<Option<Stated>> = looked_at.par_iter().map(|file| stated(file, all)).collect();
+    let stated: Vec<Option<Stated>> =
+        parallel::each(looked_at.len(), 1, |number| stated(&looked_at[number], all));
     let mut groups: BTreeMap<[String; 4], Group> = BTreeMap::new();
     for (file, stated) in looked_at.iter().zip(stated) {
         let Some(stated) = stated else { continue };

@@ -5,8 +5,6 @@ use std::hash::{DefaultHasher, Hasher};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use rayon::prelude::*;
-
 use super::entry::{Entry, Motion};
 use super::files::Files;
 use super::found::Unused;
@@ -18,6 +16,7 @@ use topple::scene::record::zips::MOST_FILES;
 use topple::scene::record::{Baseline, Pair, Record, RecordFile, joined, text};
 use topple::scene::record::{RecordHints, read};
 use topple::scene::{bounded, shown};
+use topple::work::parallel;
 
 /// Largest list that is read, bytes.
 const LARGEST_LIST: u64 = 64 << 20;
@@ -62,20 +61,18 @@ impl Suite {
         let Reading { strict, baseline } = reading;
         let files = Files::of(path)?;
         let Lines { entries, unused, doubts } = entries(path, &files)?;
-        let entries = with_own_ids(entries);
+        let mut entries = with_own_ids(entries);
         if entries.is_empty() {
             return Err(SuiteError::Empty { path: path.into(), unused: unused.len() });
         }
         let samples = AtomicUsize::new(0);
-        let rows: Vec<_> = entries
-            .into_par_iter()
-            .map(|mut entry| {
-                entry.baseline = entry.baseline.or(baseline);
-                // Names in it may be of any length.
-                let motion = motion(&mut entry, &files, &samples).map_err(|why| shown::line(&why));
-                (entry, motion)
-            })
-            .collect();
+        let motions = parallel::each_slice(&mut entries, 1, |_, entry| {
+            let entry = &mut entry[0];
+            entry.baseline = entry.baseline.or(baseline);
+            // Names in it may be of any length.
+            motion(entry, &files, &samples).map_err(|why| shown::line(&why))
+        });
+        let rows = entries.into_iter().zip(motions).collect();
         if samples.into_inner() > MOST_SAMPLES {
             return Err(SuiteError::Large { path: path.into(), most: MOST_SAMPLES });
         }

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use rayon::prelude::*;
 use topple::scene::record::oscillator::{Motion, Step};
+use topple::work::parallel;
 
 /// Share of the critical damping.
 pub const DAMPING: f64 = 0.05;
@@ -40,7 +40,7 @@ pub fn pseudo_acceleration(samples: &[f64], dt: f64, period: f64, damping: f64) 
 
 /// Sa at several periods, m/s^2.
 pub fn spectrum(samples: &[f64], dt: f64, periods: &[f64]) -> Vec<f64> {
-    periods.par_iter().map(|period| pseudo_acceleration(samples, dt, *period, DAMPING)).collect()
+    parallel::each(periods.len(), 1, |k| pseudo_acceleration(samples, dt, periods[k], DAMPING))
 }
 
 /// The largest |u| so far, after a part of the step between two times with their u. Within the part |u| is no more than

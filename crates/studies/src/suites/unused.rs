@@ -3,8 +3,6 @@
 use std::collections::HashSet;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use rayon::prelude::*;
-
 use super::files::Files;
 use super::found::Unused;
 use super::list;
@@ -12,6 +10,7 @@ use super::naming::{self, Naming};
 use topple::scene::record::read::format_of;
 use topple::scene::record::text;
 use topple::scene::{bounded, shown};
+use topple::work::parallel;
 
 /// Largest file that is looked into, bytes: of a larger one it takes too long.
 pub(super) const LARGEST: usize = 4 << 20;
@@ -35,7 +34,7 @@ pub(super) fn explained(
         Ok(why) => Ok(Unused { file, why }),
         Err(problem) => Err((file, problem)),
     };
-    names.into_par_iter().map(explain).collect()
+    parallel::each(names.len(), 1, |number| explain(names[number].clone())).into_iter().collect()
 }
 
 fn ending(name: &str) -> String {
