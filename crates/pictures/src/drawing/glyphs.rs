@@ -6,10 +6,10 @@ use harfrust::{ShapeOptions, UnicodeBuffer};
 use skrifa::GlyphId;
 use skrifa::outline::OutlinePen;
 
-use super::canvas::Point;
 use super::font::{self, Font};
 use super::letters;
 use super::picture::Step;
+use super::shapes::Point;
 use super::text::{self, Anchor, Stand, Style};
 
 /// A glyph of a line.

@@ -1,18 +1,14 @@
 //! Pictures on the pages of a PDF: shapes, the images of maps, and text that can be sought, copied and read aloud.
 
-use std::io::Write;
-
-use flate2::Compression;
-use flate2::write::ZlibEncoder;
 use pdf_writer::types::{LineJoinStyle, Predictor};
 use pdf_writer::{Content, Filter, Name, Pdf, Rect, Ref, Str, TextStr};
 
-use super::canvas::{Place, Point, Stroke};
 use super::error::FigureError;
 use super::glyphs;
-use super::pdf_fonts::{self, Fonts};
+use super::pdf_fonts::{self, Fonts, deflated, outline};
 use super::picture::{Mark, Paint, Picture, Step};
 use super::raster::{self, Packed};
+use super::shapes::{Place, Point, Stroke};
 use super::text::Style;
 use topple::results::colour::{Colour, WHITE};
 
@@ -154,13 +150,6 @@ impl Writer {
     }
 }
 
-pub(super) fn deflated(bytes: &[u8]) -> Result<Vec<u8>, FigureError> {
-    let failed = |error: std::io::Error| FigureError::Encode(error.to_string());
-    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
-    encoder.write_all(bytes).map_err(failed)?;
-    encoder.finish().map_err(failed)
-}
-
 /// The name of an opacity of a given number of 255ths.
 fn name_of(opacity: u8) -> String {
     format!("a{opacity}")
@@ -172,42 +161,6 @@ struct Page {
     images: Vec<(String, Ref)>,
     /// Opacities other than 1, in 255ths.
     opacities: Vec<u8>,
-}
-
-/// Adds a path.
-pub(super) fn outline(content: &mut Content, steps: &[Step]) {
-    let single = |(x, y): Point| (x as f32, y as f32);
-    let mut from = (0.0, 0.0);
-    for step in steps {
-        match *step {
-            Step::Move(to) => {
-                let (x, y) = single(to);
-                content.move_to(x, y);
-                from = to;
-            }
-            Step::Line(to) => {
-                let (x, y) = single(to);
-                content.line_to(x, y);
-                from = to;
-            }
-            Step::Quad(by, to) => {
-                // The same curve as a cubic one, which PDF knows alone.
-                let third =
-                    |a: Point| (a.0 + 2.0 / 3.0 * (by.0 - a.0), a.1 + 2.0 / 3.0 * (by.1 - a.1));
-                let [(a, b), (c, d), (x, y)] = [third(from), third(to), to].map(single);
-                content.cubic_to(a, b, c, d, x, y);
-                from = to;
-            }
-            Step::Cubic(by, and, to) => {
-                let [(a, b), (c, d), (x, y)] = [by, and, to].map(single);
-                content.cubic_to(a, b, c, d, x, y);
-                from = to;
-            }
-            Step::Close => {
-                content.close_path();
-            }
-        }
-    }
 }
 
 /// A colour as PDF writes it.

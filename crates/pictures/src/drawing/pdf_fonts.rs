@@ -1,18 +1,20 @@
 //! The fonts of a PDF: of each the glyphs alone that its pages have, as outlines, with the letters that they stand for.
 
 use std::collections::HashMap;
+use std::io::Write;
 use std::ptr;
 
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
 use pdf_writer::types::{SystemInfo, UnicodeCmap};
 use pdf_writer::{Content, Filter, Name, Pdf, Rect, Ref, Str};
 use skrifa::GlyphId;
 
-use super::canvas::Point;
 use super::error::FigureError;
 use super::font::Font;
 use super::glyphs::{Glyph, Pen};
-use super::pdf::{deflated, outline};
 use super::picture::Step;
+use super::shapes::Point;
 
 /// Glyphs of a font of type 3, whose codes are bytes.
 const MOST: usize = 256;
@@ -123,4 +125,48 @@ fn bounds(steps: &[Step]) -> [f32; 4] {
     let least = |of: fn(Point) -> f64| points().map(of).reduce(f64::min).unwrap_or(0.0) as f32;
     let most = |of: fn(Point) -> f64| points().map(of).reduce(f64::max).unwrap_or(0.0) as f32;
     [least(|at| at.0), least(|at| at.1), most(|at| at.0), most(|at| at.1)]
+}
+
+/// Bytes as a stream of a PDF holds them.
+pub(super) fn deflated(bytes: &[u8]) -> Result<Vec<u8>, FigureError> {
+    let failed = |error: std::io::Error| FigureError::Encode(error.to_string());
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
+    encoder.write_all(bytes).map_err(failed)?;
+    encoder.finish().map_err(failed)
+}
+
+/// Adds a path.
+pub(super) fn outline(content: &mut Content, steps: &[Step]) {
+    let single = |(x, y): Point| (x as f32, y as f32);
+    let mut from = (0.0, 0.0);
+    for step in steps {
+        match *step {
+            Step::Move(to) => {
+                let (x, y) = single(to);
+                content.move_to(x, y);
+                from = to;
+            }
+            Step::Line(to) => {
+                let (x, y) = single(to);
+                content.line_to(x, y);
+                from = to;
+            }
+            Step::Quad(by, to) => {
+                // The same curve as a cubic one, which PDF knows alone.
+                let third =
+                    |a: Point| (a.0 + 2.0 / 3.0 * (by.0 - a.0), a.1 + 2.0 / 3.0 * (by.1 - a.1));
+                let [(a, b), (c, d), (x, y)] = [third(from), third(to), to].map(single);
+                content.cubic_to(a, b, c, d, x, y);
+                from = to;
+            }
+            Step::Cubic(by, and, to) => {
+                let [(a, b), (c, d), (x, y)] = [by, and, to].map(single);
+                content.cubic_to(a, b, c, d, x, y);
+                from = to;
+            }
+            Step::Close => {
+                content.close_path();
+            }
+        }
+    }
 }

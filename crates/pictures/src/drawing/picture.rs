@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use super::canvas::{Place, Point, Stroke};
 use super::error::FigureError;
+use super::shapes::{Place, Point, Stroke};
 use super::text::Style;
 use super::{MILLIMETRE, raster};
 use topple::results::colour::Colour;

@@ -5,9 +5,9 @@ use tiny_skia::{
     Pattern, Pixmap, Rect, SpreadMode, StrokeDash, Transform,
 };
 
-use super::canvas::{Place, Stroke};
 use super::error::FigureError;
 use super::picture::{Mark, Paint, Picture, Step};
+use super::shapes::{Place, Stroke};
 use super::{glyphs, raster};
 
 /// Pixels an inch of a picture's PNG: what journals ask for.

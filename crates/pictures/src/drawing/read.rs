@@ -4,8 +4,8 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use topple::results::colour::Colour;
 
-use super::canvas::{Place, Point, Stroke};
 use super::picture::{Mark, Paint, Picture, Step};
+use super::shapes::{Place, Point, Stroke};
 use super::text::{Anchor, Style};
 
 impl Picture {

@@ -2,9 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::canvas::{Place, Stroke};
 use super::picture::{Mark, Paint, Picture, Step};
 use super::raster::data_url;
+use super::shapes::{Place, Stroke};
 use super::text::{self, Anchor};
 use super::{font, glyphs, letters};
 use topple::results::colour::Colour;
