@@ -123,7 +123,7 @@ fn of_counts(got: &Outcome, truth: &Truth, shortcuts: bool) -> Vec<Fault> {
     let hits = if got.stop_force.is_nan() { want.stop_hits } else { got.stop_hits };
     let [mut least_impacts, mut least_uplifts] = [want.impacts, want.uplifts];
     if until_final && (got.impacts, got.uplifts) != (want.impacts, want.uplifts) {
-        [least_impacts, least_uplifts] = truth.counts_before_proofs();
+        [least_impacts, least_uplifts] = truth.counts_before_proofs;
     }
     let least_hits = if got.status == Status::Proved { 0 } else { want.stop_hits };
     let counts = [
@@ -185,7 +185,7 @@ pub fn compare(got: &Outcome, truth: &Truth, precision: Precision, shortcuts: bo
         of.excused = Some("columns of a chaotic motion");
     }
     let moved = || truth.spread(Disturbance::most(precision)).counts;
-    if !spread.counts && truth.shortest_flight() > CHATTER && (counts.is_empty() || !moved()) {
+    if !spread.counts && truth.shortest_flight > CHATTER && (counts.is_empty() || !moved()) {
         of.faults.extend(counts);
     } else if !counts.is_empty() {
         of.excused.get_or_insert("counts of chatter");

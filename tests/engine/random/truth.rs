@@ -114,7 +114,10 @@ pub struct Truth {
     scene: Scene,
     case: Case,
     spreads: [OnceLock<Spread>; 3],
-    shortest_flight: OnceLock<f64>,
+    /// The impacts and uplifts up to a millisecond before the end of the excitation: no proof ends a cell earlier.
+    pub counts_before_proofs: [u32; 2],
+    /// The shortest flight between two impacts, s; zero where an impact brings the block to rest.
+    pub shortest_flight: f64,
 }
 
 /// The cell's numbers a little different: 0 and 1 the push, 2 and 3 the width.
@@ -153,9 +156,30 @@ impl Truth {
     /// Runs a cell.
     pub fn of(scene: &Scene, index: usize) -> Truth {
         let case = Grid::of(scene).case(index);
-        let cell = reference::run(scene, &case, &settings());
+        let end = match &scene.excitation {
+            Excitation::Record(pair) => pair.duration(),
+            Excitation::Pulse(_) => System::new(scene, &case).pulse_end(),
+        };
+        let (mut counts, mut shortest, mut last) = ([0; 2], f64::INFINITY, None);
+        let cell = reference::observe(scene, &case, &settings(), &mut |instant| {
+            let Some(switch) = instant.switch else { return };
+            let counted = u32::from(instant.t < end - 1.0e-3);
+            match switch {
+                Switch::Impact(_) => {
+                    counts[0] += counted;
+                    shortest = last.map_or(shortest, |last| f64::min(shortest, instant.t - last));
+                    if instant.phase.is_none() {
+                        shortest = 0.0;
+                    }
+                }
+                Switch::Uplift(_) => counts[1] += counted,
+                Switch::Overturn(_) => {}
+            }
+            last = Some(instant.t);
+        });
         let (scene, spreads) = (scene.clone(), Default::default());
-        Truth { cell, scene, case, spreads, shortest_flight: OnceLock::new() }
+        let (counts_before_proofs, shortest_flight) = (counts, shortest);
+        Truth { cell, scene, case, spreads, counts_before_proofs, shortest_flight }
     }
 
     /// What a disturbance makes of the cell.
@@ -203,25 +227,6 @@ impl Truth {
         [0.5 * flight * fall(1.0).max(fall(-1.0)), 1.0e-6]
     }
 
-    /// The impacts and uplifts up to a millisecond before the end of the excitation: no proof ends a cell earlier.
-    pub fn counts_before_proofs(&self) -> [u32; 2] {
-        let end = match &self.scene.excitation {
-            Excitation::Record(pair) => pair.duration(),
-            Excitation::Pulse(_) => System::new(&self.scene, &self.case).pulse_end(),
-        };
-        let mut counts = [0; 2];
-        reference::observe(&self.scene, &self.case, &settings(), &mut |instant| {
-            if instant.t < end - 1.0e-3 {
-                match instant.switch {
-                    Some(Switch::Impact(_)) => counts[0] += 1,
-                    Some(Switch::Uplift(_)) => counts[1] += 1,
-                    _ => {}
-                }
-            }
-        });
-        counts
-    }
-
     /// The least disturbance up to the most that a precision is excused by with which the outcome moves.
     pub fn undecided(&self, precision: Precision) -> Option<Disturbance> {
         let most = Disturbance::most(precision);
@@ -240,26 +245,5 @@ impl Truth {
             })
         };
         SHARES.iter().any(parts).then_some(most)
-    }
-
-    /// The shortest flight between two impacts, s; zero where an impact brings the block to rest.
-    pub fn shortest_flight(&self) -> f64 {
-        *self.shortest_flight.get_or_init(|| {
-            let (mut shortest, mut last) = (f64::INFINITY, None);
-            reference::observe(&self.scene, &self.case, &settings(), &mut |instant| {
-                if let Some(Switch::Impact(_)) = instant.switch {
-                    if let Some(last) = last {
-                        shortest = f64::min(shortest, instant.t - last);
-                    }
-                    if instant.phase.is_none() {
-                        shortest = 0.0;
-                    }
-                }
-                if instant.switch.is_some() {
-                    last = Some(instant.t);
-                }
-            });
-            shortest
-        })
     }
 }
