@@ -150,8 +150,7 @@ pub fn levels() -> Vec<(&'static str, Level)> {
     let levels = [
         ("one lane", best.as_avx2().is_none().then_some(best)),
         ("AVX2", best.as_avx2().map(Level::Avx2)),
-        // A build with debug assertions has none: `vectorized`.
-        ("AVX-512", best.as_avx512().map(Level::Avx512).filter(|_| !cfg!(debug_assertions))),
+        ("AVX-512", best.as_avx512().map(Level::Avx512)),
     ];
     #[cfg(target_arch = "aarch64")]
     let levels = [("NEON", best.as_neon().map(Level::Neon))];

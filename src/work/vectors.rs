@@ -9,20 +9,14 @@ use crate::model::real::{Real, Vector};
 ///
 /// Vectors have 512 bits, in two or four registers where one is shorter: while one waits for its result another is
 /// computed. Each level compiles the statement once more, so processors of x86 without AVX2 (made before 2013) have
-/// one lane, and a build with debug assertions has no AVX-512.
+/// one lane.
 macro_rules! vectorized {
     ($level:expr, $number:ident => $run:expr) => {{
         let level: fearless_simd::Level = $level;
-        #[cfg(all(target_arch = "x86_64", not(debug_assertions)))]
+        #[cfg(target_arch = "x86_64")]
         if let Some(simd) = level.as_avx512() {
             $crate::work::vectors::vectorized!(@run simd, $number => $run);
         } else if let Some(simd) = level.as_avx2() {
-            $crate::work::vectors::vectorized!(@run simd, $number => $run);
-        } else {
-            $run;
-        }
-        #[cfg(all(target_arch = "x86_64", debug_assertions))]
-        if let Some(simd) = level.as_avx2() {
             $crate::work::vectors::vectorized!(@run simd, $number => $run);
         } else {
             $run;

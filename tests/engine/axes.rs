@@ -239,7 +239,7 @@ fn cells_of_any_axes_are_what_they_are_alone_in_f32() {
 
 fn on(gpu: Option<Gpu>, name: &str, precision: Precision) {
     let Some(gpu) = gpu else { return };
-    all(name, &Backend::Gpu(Box::new(gpu)), precision, 12);
+    all(name, &Backend::Gpu(Box::new(gpu)), precision, 20);
 }
 
 #[test]
