@@ -114,9 +114,11 @@ mod tests {
         use std::os::fd::AsRawFd;
         use std::time::Duration;
         let place = tempfile::tempdir().unwrap();
-        let path = place.path().join("pipe");
-        assert!(std::process::Command::new("mkfifo").arg(&path).status().unwrap().success());
-        let error = opened(&path, Duration::from_millis(50)).unwrap_err();
+        // Who waited for the first one in vain still does, and would take what is written to it.
+        let [path, other] = ["pipe", "other"].map(|name| place.path().join(name));
+        let made = std::process::Command::new("mkfifo").args([&path, &other]).status();
+        assert!(made.unwrap().success());
+        let error = opened(&other, Duration::from_millis(50)).unwrap_err();
         assert_eq!(error.kind(), io::ErrorKind::TimedOut);
         let writer = path.clone();
         let written = std::thread::spawn(move || std::fs::write(writer, "1\n2"));
