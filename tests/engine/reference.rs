@@ -1,4 +1,4 @@
-//! The reference against programs that this project did not write.
+//! The reference against programs that this project did not write, and against another method.
 
 use approx::assert_abs_diff_eq;
 use topple::scene::{Grid, Parameter, Range, Scene, SceneBuilder};
