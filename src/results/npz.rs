@@ -15,7 +15,7 @@ use super::columns::{Column, Entry};
 use super::listed::{CELL, FileCells};
 use super::npy;
 use super::outcomes::{Outcomes, each_block};
-use super::values::{ColumnValues, ValueType, bytes_of};
+use super::values::{ValueType, bytes_of};
 use super::zarr::PROVED;
 use crate::model::precision::Precision;
 use crate::scene::grid::Axis;
@@ -133,12 +133,8 @@ impl<W: Write + Seek> Archive<'_, W> {
         let numpy = if array == PROVED { "|b1" } else { of.in_numpy() };
         let shape = self.shape.clone();
         self.begin(array, (numpy, of.size()), &shape)?;
-        let bytes = |cells: &[Outcome]| {
-            let places: Vec<usize> = (0..cells.len()).collect();
-            let mut values = ColumnValues::all(0.0, of, cells.len());
-            (entry.put)(&mut values.slots(0..cells.len()), &places, cells);
-            chunk::in_array(array, entry.column, &values)
-        };
+        let bytes =
+            |cells: &[Outcome]| chunk::of_outcomes(array, entry, cells, precision).to_bytes();
         let count = shape.iter().product::<u64>() as usize;
         each_block(count, self.outcomes, &[entry.column], |_, block| {
             let parts: Vec<&[Outcome]> = block.chunks(AT_ONCE).collect();
