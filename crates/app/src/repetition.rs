@@ -10,8 +10,9 @@ use topple::scene::bounded;
 use topple::scene::path_text::PathText;
 
 use super::command_line::CommandLine;
-use super::inputs::{self, Inputs};
+use super::inputs::Inputs;
 use super::options::MapOptions;
+use super::study::{StudyCommand, StudyFlags};
 use super::suite::Sources;
 use super::suite_run::Repeats;
 use super::{Arguments, Command, InputError};
@@ -87,32 +88,33 @@ impl Repeated {
             );
             return Err(InputError(problem).into());
         }
-        let Repeated { mut command, repeats, folder } = self;
-        let line = &repeats.line;
-        let (motions, run, hazard) = match &mut command {
-            Command::Envelope(of) => (&mut of.motions, &mut of.options, None),
-            Command::Fragility(of) => (&mut of.motions, &mut of.options, of.hazard.path_mut()),
-            Command::Compare(of) => {
-                of.devices = found(inputs::DEVICES, &of.devices, line, &folder)?;
-                (&mut of.motions, &mut of.options, of.hazard.path_mut())
-            }
-            _ => return Ok(()),
-        };
-        if let Some(hazard) = hazard {
-            *hazard = found(inputs::HAZARD, hazard, line, &folder)?;
-        }
-        let suite = found("--suite", motions.suite(), line, &folder)?;
-        motions.repeat(suite, repeats);
-        run.out.clone_from(&options.run.out);
-        run.quiet |= options.run.quiet;
-        run.threads = options.run.threads.or(run.threads);
+        let Repeated { command, repeats, folder } = self;
         match command {
-            Command::Envelope(command) => command.run(),
-            Command::Fragility(command) => command.run(),
-            Command::Compare(command) => command.run(),
+            Command::Envelope(command) => again(*command, repeats, &folder, options),
+            Command::Fragility(command) => again(*command, repeats, &folder, options),
+            Command::Compare(command) => again(*command, repeats, &folder, options),
             _ => Ok(()),
         }
     }
+}
+
+/// Runs a study again; the files that it reads are looked for.
+fn again<Own: StudyFlags>(
+    mut command: StudyCommand<Own>,
+    repeats: Repeats,
+    folder: &Path,
+    options: &MapOptions,
+) -> anyhow::Result<()> {
+    let StudyCommand { motions, own, options: run, .. } = &mut command;
+    for (flag, path) in own.files() {
+        *path = found(flag, path, &repeats.line, folder)?;
+    }
+    let suite = found("--suite", motions.suite(), &repeats.line, folder)?;
+    motions.repeat(suite, repeats);
+    run.out.clone_from(&options.run.out);
+    run.quiet |= options.run.quiet;
+    run.threads = options.run.threads.or(run.threads);
+    command.run()
 }
 
 /// A path of a run: where it was, beside the results, or in the working directory.

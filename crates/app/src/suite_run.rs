@@ -220,12 +220,12 @@ impl SuiteFlags {
         Ok(suite)
     }
 
-    /// Runs a scene under motions, each at so many sets of numbers; none where no result is wanted: of a dry run,
+    /// Runs a scene under motions, each so many times for something; none where no result is wanted: of a dry run,
     /// and of a shard.
     pub fn run(
         &self,
         job: SuiteJob,
-        times: Times,
+        times: (usize, &str),
         options: &RunOptions,
         say: &Reporter,
     ) -> anyhow::Result<Option<SuiteSweep>> {
@@ -296,25 +296,6 @@ impl SuiteFlags {
     }
 }
 
-/// Why each motion is swept several times.
-#[derive(Clone, Copy)]
-pub struct Times {
-    count: usize,
-    what: &'static str,
-}
-
-impl Times {
-    /// The number of points of the numbers that are not known.
-    pub fn points(count: usize) -> Times {
-        Times { count, what: "sets of numbers" }
-    }
-
-    /// With so many devices.
-    pub fn devices(count: usize) -> Times {
-        Times { count, what: "devices" }
-    }
-}
-
 /// Says what a device's numbers make of the base, and warns of a scene whose impacts take no energy.
 pub fn tell_of_base(job: &SuiteJob, options: &RunOptions) -> Result<(), InputError> {
     let plan = options.plan(&job.scene).map_err(|error| flag_error(&error))?;
@@ -336,8 +317,8 @@ pub fn warn_of_radius(swept: &SuiteSweep) {
     }
 }
 
-/// How much is swept, in words: cells, motions, levels.
-fn size(job: &SuiteJob, times: Times, levels: usize) -> String {
+/// How much is swept, in words: cells, motions, what each is swept several times for, levels.
+fn size(job: &SuiteJob, (count, what): (usize, &str), levels: usize) -> String {
     let counts: Vec<String> = job
         .grid
         .axes()
@@ -349,7 +330,6 @@ fn size(job: &SuiteJob, times: Times, levels: usize) -> String {
         true => "1 cell".to_string(),
         false => format!("{} cells", counts.join(" x ")),
     };
-    let Times { count, what } = times;
     // A shard has a part of them.
     let motions = job.motions().len().div_ceil(count.max(1));
     let mut text = format!("{cells} under {}", counted(motions, "motion"));
