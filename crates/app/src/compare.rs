@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
-use serde::Serialize;
 use topple::results::earlier::Kind;
 use topple::scene::path_text::PathText;
 use topple::scene::record::text::decoded;
 use topple::scene::{Grid, Parameter, Scene, SceneBuilder, Values};
+use topple_manifest::{DeviceRun, Run, Site, StudyRun};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::print::Print;
@@ -15,12 +15,12 @@ use topple_studies::comparison::{
     Comparison, ComparisonRequest, ComparisonSettings, Device, RateRequest, devices,
 };
 use topple_studies::fragility::HazardText;
+use topple_studies::suites::SuiteRequest;
 use topple_studies::suites::intensity::Intensity;
-use topple_studies::suites::{Resample, SuiteRequest};
 use topple_studies::{StudyError, StudyJob, TableError, row_in_comment};
 
 use super::errors::sweep_error;
-use super::inputs::{self, InputReader, Inputs};
+use super::inputs::{self, InputReader};
 use super::options::{RunOptions, flag_error};
 use super::study::StudyFlags;
 use super::study_flags::{FurtherFlags, HazardFlags, IntervalFlags, LimitFlags, RateFlags, names};
@@ -62,39 +62,6 @@ pub struct CompareFlags {
     levels: Option<Values>,
 }
 
-/// What run.json says of a comparison; the scene of its suite is the first device's.
-#[derive(Serialize)]
-pub struct Record {
-    list: PathText,
-    /// Each device under the first motion.
-    devices: Vec<OfDevice>,
-    standing: f64,
-    limit_u: Option<f64>,
-    limit_v: Option<f64>,
-    scales: Vec<f64>,
-    columns: Vec<&'static str>,
-    resample: Resample,
-    groups: usize,
-    replicates: u32,
-    seed: u32,
-    im: Option<Intensity>,
-    levels: Option<Vec<f64>>,
-    hazard: Option<PathText>,
-    hazard_units: Option<&'static str>,
-    /// The curve that was read: its levels, in SI units, and annual rates.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    hazard_curve: Option<Vec<[f64; 2]>>,
-    /// Checksums of the files that it read beside its motions.
-    inputs: Inputs,
-}
-
-/// A device in run.json.
-#[derive(Serialize)]
-struct OfDevice {
-    device: String,
-    scene: Scene,
-}
-
 /// The name of the picture.
 const PICTURE: &str = "compare";
 /// What to do about a list that cannot be read.
@@ -104,9 +71,10 @@ const LARGEST: u64 = 1 << 20;
 
 impl StudyFlags for CompareFlags {
     type Request = ComparisonRequest;
-    type Record = Record;
+    type Record = topple_manifest::Comparison;
 
     const KIND: Kind = Kind::Comparison;
+    const RUN: fn(Box<StudyRun<Self::Record>>) -> Run = Run::Comparison;
     const TITLE: Option<&'static str> = None;
     const TIMES: &'static str = "devices";
 
@@ -155,14 +123,6 @@ impl StudyFlags for CompareFlags {
         Some(RateFlags { hazard: &self.hazard, im: self.im(), levels: self.levels.as_ref() })
     }
 
-    fn times(settings: &ComparisonSettings) -> usize {
-        settings.devices.len()
-    }
-
-    fn scenes(job: &StudyJob<Comparison>) -> Vec<Scene> {
-        job.settings.scenes.clone()
-    }
-
     fn tell_of_base(
         &self,
         job: &StudyJob<Comparison>,
@@ -192,35 +152,23 @@ impl StudyFlags for CompareFlags {
         compare_words::warn(compared, &rates);
     }
 
-    fn record(
-        &self,
-        compared: &Comparison,
-        (hazard, inputs): (Option<HazardText>, Inputs),
-    ) -> Record {
-        let (settings, limits) = (&compared.settings, self.limits.limits());
+    fn record(&self, compared: &Comparison, site: Site) -> Self::Record {
+        let settings = &compared.settings;
         let named = settings.devices.iter().zip(&settings.scenes);
-        let of = |(one, scene): (&Device, &Scene)| OfDevice {
+        let of = |(one, scene): (&Device, &Scene)| DeviceRun {
             device: one.name.clone(),
             scene: scene.clone(),
         };
-        Record {
-            list: PathText(self.devices.clone()),
+        Self::Record {
+            list: Some(PathText(self.devices.clone())),
             devices: named.map(of).collect(),
-            standing: limits.standing,
-            limit_u: limits.u,
-            limit_v: limits.v,
+            limits: self.limits.record(),
             scales: settings.scales.clone(),
             columns: names(&settings.columns),
-            resample: settings.groups.by,
-            groups: settings.groups.count,
-            replicates: settings.bootstrap.replicates,
-            seed: self.intervals.seed,
-            im: hazard.as_ref().map(|_| self.im()),
+            drawn: self.intervals.record(Some((&settings.groups, &settings.bootstrap))),
+            im: settings.hazard.as_ref().map(|_| self.im()),
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
-            hazard: self.hazard.path().map(|path| PathText(path.into())),
-            hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
-            hazard_curve: hazard.as_ref().map(|hazard| hazard.curve.points()),
-            inputs,
+            site,
         }
     }
 

@@ -1,26 +1,24 @@
 //! `topple envelope`.
 
-use serde::Serialize;
 use topple::results::earlier::Kind;
 use topple::scene::Grid;
 use topple::scene::record::rounded;
+use topple_manifest::{Run, Site, StudyRun};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::print::Print;
 use topple_pictures::drawing::share::percent;
 use topple_pictures::studies::{envelope as picture, envelope_curves};
 use topple_studies::fragility::HazardText;
-use topple_studies::suites::envelope::{
-    Best, CellEnvelope, Envelope, EnvelopeRequest, EnvelopeSettings,
-};
+use topple_studies::suites::SuiteRequest;
+use topple_studies::suites::envelope::{Best, CellEnvelope, Envelope, EnvelopeRequest};
 use topple_studies::suites::swept_motion::Values;
-use topple_studies::suites::{Resample, SuiteRequest};
 use topple_studies::uncertain::{SAMPLES, Varied};
 
-use super::inputs::{InputReader, Inputs};
+use super::inputs::InputReader;
 use super::named::best;
 use super::study::StudyFlags;
-use super::study_flags::{FurtherFlags, IntervalFlags, LimitFlags, names};
+use super::study_flags::{FurtherFlags, IntervalFlags, LimitFlags, names, unknown};
 use super::study_words::{FALLS, LEAVES, between, digits, warn_of_few};
 use super::suite_run::warn_of_radius;
 use super::words::{self, Reporter, counted};
@@ -49,24 +47,6 @@ pub struct EnvelopeFlags {
     samples: u32,
 }
 
-/// What run.json says of an envelope.
-#[derive(Serialize)]
-pub struct Record {
-    standing: f64,
-    limit_u: Option<f64>,
-    limit_v: Option<f64>,
-    best: Best,
-    feasible: usize,
-    /// The best cell: its axes and its results; none if no cell is feasible.
-    best_cell: Option<usize>,
-    columns: Vec<&'static str>,
-    resample: Option<Resample>,
-    groups: Option<usize>,
-    seed: u32,
-    vary: Vec<Varied>,
-    samples: Option<u32>,
-}
-
 /// The name of the picture.
 const PICTURE: &str = "envelope";
 
@@ -75,9 +55,10 @@ const BEST: usize = 3;
 
 impl StudyFlags for EnvelopeFlags {
     type Request = EnvelopeRequest;
-    type Record = Record;
+    type Record = topple_manifest::Envelope;
 
     const KIND: Kind = Kind::Envelope;
+    const RUN: fn(Box<StudyRun<Self::Record>>) -> Run = Run::Envelope;
     const TITLE: Option<&'static str> = Some("Envelope");
 
     fn request(
@@ -105,10 +86,6 @@ impl StudyFlags for EnvelopeFlags {
         &self.vary
     }
 
-    fn times(settings: &EnvelopeSettings) -> usize {
-        settings.times
-    }
-
     fn draw(
         &self,
         envelope: &Envelope,
@@ -132,22 +109,17 @@ impl StudyFlags for EnvelopeFlags {
         warn_of_radius(&envelope.sweep);
     }
 
-    fn record(&self, envelope: &Envelope, _: (Option<HazardText>, Inputs)) -> Record {
-        let (best, limits) = (envelope.best(), self.limits.limits());
-        let groups = envelope.settings.intervals.as_ref().map(|(groups, _)| groups);
-        Record {
-            standing: limits.standing,
-            limit_u: limits.u,
-            limit_v: limits.v,
+    fn record(&self, envelope: &Envelope, _: Site) -> Self::Record {
+        let best = envelope.best();
+        let intervals = envelope.settings.intervals.as_ref();
+        Self::Record {
+            limits: self.limits.record(),
             best: self.best,
             feasible: best.len(),
             best_cell: best.first().copied(),
             columns: names(&envelope.settings.columns),
-            resample: groups.map(|groups| groups.by),
-            groups: groups.map(|groups| groups.count),
-            seed: self.intervals.seed,
-            vary: self.vary.clone(),
-            samples: (!self.vary.is_empty()).then_some(self.samples),
+            drawn: self.intervals.record(intervals.map(|(groups, bootstrap)| (groups, bootstrap))),
+            unknown: unknown(&self.vary, self.samples),
         }
     }
 

@@ -2,26 +2,25 @@
 
 use std::path::PathBuf;
 
-use serde::Serialize;
 use topple::results::earlier::Kind;
 use topple::scene::Values;
-use topple::scene::path_text::PathText;
+use topple_manifest::{Run, Site, StudyRun};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::print::Print;
 use topple_pictures::studies::fragility as picture;
 use topple_studies::fragility::limit_state::LimitState;
-use topple_studies::fragility::study::{FragilityStudy, StudySettings};
+use topple_studies::fragility::study::FragilityStudy;
 use topple_studies::fragility::{Estimator, Export, FragilityRequest, HazardText};
+use topple_studies::suites::SuiteRequest;
 use topple_studies::suites::intensity::Intensity;
-use topple_studies::suites::{Resample, SuiteRequest};
 use topple_studies::uncertain::{SAMPLES, Varied};
 
-use super::inputs::{InputReader, Inputs};
+use super::inputs::InputReader;
 use super::named::{estimator, export};
 use super::number_text::number;
 use super::study::StudyFlags;
-use super::study_flags::{HazardFlags, IntervalFlags, RateFlags};
+use super::study_flags::{HazardFlags, IntervalFlags, RateFlags, unknown};
 use super::suite_run::warn_of_radius;
 use super::words::{self, Reporter};
 use super::{InputError, examples, fragility_words};
@@ -99,49 +98,15 @@ pub struct FragilityFlags {
     export: Vec<Export>,
 }
 
-/// What run.json says of a fragility.
-#[derive(Serialize)]
-pub struct Record {
-    im: Intensity,
-    /// Levels; none where each motion is as it is.
-    levels: Option<Vec<f64>>,
-    limit_states: Vec<LimitState>,
-    estimators: Vec<&'static str>,
-    /// What is resampled for the intervals, and of how many.
-    resample: Resample,
-    groups: usize,
-    replicates: u32,
-    seed: u32,
-    vary: Vec<Varied>,
-    samples: Option<u32>,
-    hazard: Option<PathText>,
-    /// The unit that the levels of the hazard curve were read in.
-    hazard_units: Option<&'static str>,
-    /// What it was read from, in words.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    hazard_source: Option<String>,
-    /// The curve that was read: its levels, in SI units, and annual rates.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    hazard_curve: Option<Vec<[f64; 2]>>,
-    /// Checksums of the files that it read beside its motions.
-    #[serde(skip_serializing_if = "Inputs::is_empty")]
-    inputs: Inputs,
-    target: Option<f64>,
-    /// Runs of which nothing is known: they are left out.
-    unresolved: usize,
-    /// Of a single cell why curves are open, or are none.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    notes: Vec<String>,
-}
-
 /// The picture, or that of overturning.
 const PICTURE: &str = "fragility";
 
 impl StudyFlags for FragilityFlags {
     type Request = FragilityRequest;
-    type Record = Record;
+    type Record = topple_manifest::Fragility;
 
     const KIND: Kind = Kind::Fragility;
+    const RUN: fn(Box<StudyRun<Self::Record>>) -> Run = Run::Fragility;
     const TITLE: Option<&'static str> = Some("Fragility");
     const NAMED: usize = usize::MAX;
 
@@ -186,10 +151,6 @@ impl StudyFlags for FragilityFlags {
         &self.vary
     }
 
-    fn times(settings: &StudySettings) -> usize {
-        settings.times
-    }
-
     fn draw(
         &self,
         study: &FragilityStudy,
@@ -226,28 +187,16 @@ impl StudyFlags for FragilityFlags {
         empty.for_each(|export| words::warn(fragility_words::without_curves(export)));
     }
 
-    fn record(
-        &self,
-        study: &FragilityStudy,
-        (hazard, inputs): (Option<HazardText>, Inputs),
-    ) -> Record {
+    fn record(&self, study: &FragilityStudy, site: Site) -> Self::Record {
         let settings = &study.settings;
-        Record {
-            im: self.im,
+        Self::Record {
+            im: Some(self.im),
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
-            limit_states: settings.states.clone(),
-            estimators: settings.estimators.iter().map(|one| one.name()).collect(),
-            resample: settings.groups.by,
-            groups: settings.groups.count,
-            replicates: settings.bootstrap.replicates,
-            seed: self.intervals.seed,
-            vary: self.vary.clone(),
-            samples: (!self.vary.is_empty()).then_some(self.samples),
-            hazard: self.hazard.path().map(|path| PathText(path.into())),
-            hazard_units: hazard.as_ref().map(|hazard| hazard.unit),
-            hazard_curve: hazard.as_ref().map(|hazard| hazard.curve.points()),
-            hazard_source: hazard.map(|hazard| hazard.source),
-            inputs,
+            limit_states: settings.states.iter().map(ToString::to_string).collect(),
+            estimators: settings.estimators.iter().map(|one| one.name().into()).collect(),
+            drawn: self.intervals.record(Some((&settings.groups, &settings.bootstrap))),
+            unknown: unknown(&self.vary, self.samples),
+            site,
             target: self.target,
             unresolved: study.cells.iter().map(|cell| cell.unresolved).sum(),
             notes: fragility_words::notes(study),

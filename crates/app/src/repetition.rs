@@ -4,29 +4,14 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
-use serde::Deserialize;
 use topple::results::earlier::{Kind, RUN};
-use topple::scene::bounded;
 use topple::scene::path_text::PathText;
+use topple_manifest::{CommandLine, Manifest, Study};
 
-use super::command_line::CommandLine;
-use super::inputs::Inputs;
 use super::options::MapOptions;
 use super::study::{StudyCommand, StudyFlags};
-use super::suite::Sources;
 use super::suite_run::Repeats;
 use super::{Arguments, Command, InputError};
-
-/// Of run.json what repeats a run under a suite.
-#[derive(Deserialize)]
-struct Written {
-    kind: Kind,
-    command: Option<CommandLine>,
-    #[serde(default)]
-    records: Sources,
-    #[serde(default)]
-    inputs: Inputs,
-}
 
 /// A run that is repeated: its command, and what its relative paths are looked for in.
 pub struct Repeated {
@@ -52,12 +37,9 @@ pub fn at(path: &Path) -> Option<Result<Repeated, String>> {
         false if ends_in("json") => path.to_path_buf(),
         false => return None,
     };
-    let bytes = bounded::read(&file, bounded::DOCUMENT).ok()?;
-    let Written { kind, command, records, inputs } = serde_json::from_slice(&bytes).ok()?;
-    if !matches!(kind, Kind::Envelope | Kind::Fragility | Kind::Comparison) {
-        return None;
-    }
-    let line = command?;
+    let Manifest { kind, run, .. } = Manifest::read(&file).ok()?;
+    let Study { command, records, .. } = run.study()?.clone();
+    let (line, inputs) = (command?, run.inputs().cloned().unwrap_or_default());
     let words = line.arguments.iter().map(|PathText(word)| OsString::from(word));
     let parsed = Arguments::try_parse_from([OsString::from("topple")].into_iter().chain(words));
     let other = || Err(format!("its command is not one of {}; give a scene", kind.name()));

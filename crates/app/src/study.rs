@@ -4,23 +4,22 @@ use std::path::PathBuf;
 
 use topple::backend::backend_error::BackendError;
 use topple::results::earlier::Kind;
-use topple::scene::Scene;
+use topple_manifest::{Run, Site, StudyRun};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::print::Print;
 use topple_studies::fragility::HazardText;
-use topple_studies::suites::verified::Verified;
 use topple_studies::uncertain::Varied;
-use topple_studies::{Study, StudyError, StudyJob, StudyRequest, StudyTable, SuiteRequest};
+use topple_studies::{Study, StudyError, StudyJob, StudyRequest, SuiteRequest};
 
 use super::errors::sweep_error;
-use super::inputs::{InputReader, Inputs};
+use super::inputs::InputReader;
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, RunOptions};
 use super::progress::Screen;
 use super::results_directory::{Place, picture_files};
-use super::study_flags::RateFlags;
-use super::suite_run::{SuiteFlags, SuiteManifest, tell_of_base, tell_verified};
+use super::study_flags::{self, RateFlags};
+use super::suite_run::{SuiteFlags, tell_of_base, tell_verified};
 use super::words::Reporter;
 use super::{InputError, study_words, suite};
 
@@ -40,9 +39,7 @@ pub struct StudyCommand<Own: StudyFlags> {
     pub options: RunOptions,
 }
 
-/// What is asked of a study's sweeps.
-pub type SettingsOf<Own> = <StudyOf<Own> as Study>::Settings;
-/// What comes of them.
+/// What comes of a study's sweeps.
 pub type StudyOf<Own> = <<Own as StudyFlags>::Request as StudyRequest>::Study;
 
 /// The flags that only one study has, and what it says of its results.
@@ -50,10 +47,12 @@ pub trait StudyFlags: clap::Args {
     /// What they ask for.
     type Request: StudyRequest;
     /// What run.json says of it.
-    type Record: serde::Serialize;
+    type Record;
 
     /// What its files are of.
     const KIND: Kind;
+    /// Its run.json.
+    const RUN: fn(Box<StudyRun<Self::Record>>) -> Run;
     /// The title of its scene.
     const TITLE: Option<&'static str>;
     /// What a motion is swept several times for.
@@ -100,14 +99,6 @@ pub trait StudyFlags: clap::Args {
         &[]
     }
 
-    /// How often each motion is swept.
-    fn times(settings: &SettingsOf<Self>) -> usize;
-
-    /// The scenes under their first motions.
-    fn scenes(job: &StudyJob<StudyOf<Self>>) -> Vec<Scene> {
-        vec![job.sweep.scene.clone()]
-    }
-
     /// Says what the base is, and warns of what is doubtful there.
     fn tell_of_base(
         &self,
@@ -129,21 +120,10 @@ pub trait StudyFlags: clap::Args {
     fn warn(&self, study: &StudyOf<Self>);
 
     /// What run.json says of it.
-    fn record(&self, study: &StudyOf<Self>, read: (Option<HazardText>, Inputs)) -> Self::Record;
+    fn record(&self, study: &StudyOf<Self>, site: Site) -> Self::Record;
 
     /// Says what came of it.
     fn tell(&self, study: &StudyOf<Self>, say: &Reporter);
-}
-
-/// run.json of a study.
-#[derive(serde::Serialize)]
-struct Manifest<'a, Own> {
-    #[serde(flatten)]
-    suite: SuiteManifest<'a>,
-    #[serde(flatten)]
-    pub own: Own,
-    /// The reference's results for a sample.
-    verified: &'a Verified,
 }
 
 impl<Own: StudyFlags> StudyCommand<Own> {
@@ -161,7 +141,7 @@ impl<Own: StudyFlags> StudyCommand<Own> {
         let request = motions.request(common, options, text)?;
         let request = own.request(request, hazard.as_ref(), &mut inputs)?;
         request.check().map_err(|error| own.refused(error))?;
-        let tables = request.tables().into_iter().map(|table| table.file.to_string());
+        let tables = request.tables().into_iter().map(|(file, _)| file.to_string());
         let pictures = own.pictures(&request).into_iter().flat_map(|name| picture_files(&name));
         motions.refuse_foreign(&place, &tables.chain(pictures).collect::<Vec<_>>())?;
         let suite = motions.read()?;
@@ -173,18 +153,17 @@ impl<Own: StudyFlags> StudyCommand<Own> {
         if let (Some(rates), Some(hazard)) = (own.rates(), &hazard) {
             study_words::hazard(&rates, hazard, &say);
         }
-        motions.tell_of_scene(&Own::scenes(&job), &say);
+        motions.tell_of_scene(&job.scenes, &say);
         if let Some(rates) = own.rates() {
             study_words::levels(&rates, &say);
         }
         own.tell_of_base(&job, options, &say)?;
-        let StudyJob { sweep, settings } = job;
-        let times = (Own::times(&settings), Own::TIMES);
-        let Some(swept) = motions.run(sweep, times, options, &say)? else {
+        let StudyJob { sweep, settings, times, .. } = job;
+        let Some(swept) = motions.run(sweep, (times, Own::TIMES), options, &say)? else {
             return Ok(());
         };
         let screen = Screen::new(options.quiet);
-        let Some(study) = StudyOf::<Own>::of(swept, settings, &screen) else {
+        let Some(mut study) = StudyOf::<Own>::of(swept, settings, &screen) else {
             return Err(sweep_error(BackendError::Cancelled.into()));
         };
         screen.clear();
@@ -196,33 +175,36 @@ impl<Own: StudyFlags> StudyCommand<Own> {
         });
         let pictures: Vec<_> = pictures.collect::<Result<_, FigureError>>()?;
         let mut tables = request.tables();
-        tables.retain(|table| (table.is_of)(&study));
-        let names = tables.iter().map(|table| table.file.to_string());
+        tables.retain(|(file, _)| study.has(file));
+        let names = tables.iter().map(|(file, _)| file.to_string());
         let drawn = pictures.iter().flat_map(|(name, ..)| picture_files(name));
         out.begin(names.chain(drawn).collect(), &say)?;
-        for StudyTable { file, write, .. } in &tables {
+        for (file, write) in &tables {
             out.write(file, |mut to| write(&study, &mut to))?;
         }
         for (name, drawn, png) in &pictures {
             out.picture(name, drawn, png)?;
         }
         own.warn(&study);
+        let path = own.rates().and_then(|rates| rates.hazard.path());
+        let site = study_flags::site(path, hazard, inputs.checksums());
+        let record = own.record(&study, site);
         let swept = study.sweep();
-        out.finish(Manifest {
-            suite: motions.manifest(swept, (&suite, options)),
-            own: own.record(&study, (hazard, inputs.checksums())),
-            verified: &swept.verified,
-        })?;
+        out.finish(Own::RUN(Box::new(StudyRun {
+            study: motions.record(swept, &suite, options),
+            own: record,
+            verified: swept.verified.clone(),
+        })))?;
         own.tell(&study, &say);
-        tell_verified(swept, &say);
-        study.into_sweep().discard_saved()?;
+        tell_verified(study.sweep(), &say);
+        study.sweep().discard_saved()?;
         for (name, ..) in &pictures {
             say.line("picture", out.file(&picture_files(name)[1]).display());
         }
         if let (Some(why), []) = (Own::not_drawn(), &pictures[..]) {
             say.line("picture", why);
         }
-        let named: Vec<&str> = tables.iter().map(|table| table.file).take(Own::NAMED).collect();
+        let named: Vec<&str> = tables.iter().map(|(file, _)| *file).take(Own::NAMED).collect();
         let name = if named.len() == 1 { "table" } else { "tables" };
         let first = out.file(named[0]);
         let files = [&[&*first.display().to_string()], &named[1..]].concat().join(", ");

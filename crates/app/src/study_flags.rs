@@ -5,14 +5,18 @@ use std::path::{Path, PathBuf};
 use topple::results::column_set::ColumnSet;
 use topple::results::columns::Column;
 use topple::scene::Values;
+use topple::scene::path_text::PathText;
 use topple::scene::record::Units;
+use topple_manifest::{Drawn, Site, Unknown};
+use topple_studies::Bootstrap;
 use topple_studies::fragility::{HazardText, hazard, hazard_text};
-use topple_studies::suites::Resample;
 use topple_studies::suites::columns::asked;
 use topple_studies::suites::envelope::Limits;
 use topple_studies::suites::intensity::Intensity;
+use topple_studies::suites::{Groups, Resample};
+use topple_studies::uncertain::Varied;
 
-use super::inputs::{self, InputReader};
+use super::inputs::{self, InputReader, Inputs};
 use super::named::resample;
 use super::number_text::number;
 use super::numbers::seed;
@@ -45,6 +49,12 @@ impl LimitFlags {
     pub fn limits(&self) -> Limits {
         Limits { standing: self.standing, u: self.limit_u, v: self.limit_v }
     }
+
+    /// What run.json says of them.
+    pub fn record(&self) -> topple_manifest::Limits {
+        let standing = Some(self.standing);
+        topple_manifest::Limits { standing, limit_u: self.limit_u, limit_v: self.limit_v }
+    }
 }
 
 /// The flags of the intervals.
@@ -57,6 +67,23 @@ pub struct IntervalFlags {
     /// Seed of the resampling, at most 4294967295
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = seed, help_heading = "Suite")]
     pub seed: u32,
+}
+
+impl IntervalFlags {
+    /// What run.json says of what was drawn.
+    pub fn record(&self, drawn: Option<(&Groups, &Bootstrap)>) -> Drawn {
+        Drawn {
+            resample: drawn.map(|(groups, _)| groups.by),
+            groups: drawn.map(|(groups, _)| groups.count),
+            replicates: drawn.map(|(_, bootstrap)| bootstrap.replicates),
+            seed: self.seed,
+        }
+    }
+}
+
+/// What run.json says of numbers that are not known.
+pub fn unknown(vary: &[Varied], samples: u32) -> Unknown {
+    Unknown { vary: vary.to_vec(), samples: (!vary.is_empty()).then_some(samples) }
 }
 
 /// Which columns.
@@ -75,8 +102,8 @@ impl FurtherFlags {
 }
 
 /// Their names.
-pub fn names(columns: &[Column]) -> Vec<&'static str> {
-    columns.iter().map(|column| column.entry().name).collect()
+pub fn names(columns: &[Column]) -> Vec<String> {
+    columns.iter().map(|column| column.entry().name.into()).collect()
 }
 
 /// The flags of the hazard curve.
@@ -121,6 +148,17 @@ impl HazardFlags {
             words::warn(format!("--hazard: {}: {doubt}", path.display()));
         }
         Ok(Some(read))
+    }
+}
+
+/// What run.json says of a hazard curve, and of the files that were read.
+pub fn site(path: Option<&Path>, hazard: Option<HazardText>, inputs: Inputs) -> Site {
+    Site {
+        hazard: path.map(|path| PathText(path.into())),
+        hazard_units: hazard.as_ref().map(|hazard| hazard.unit.into()),
+        hazard_curve: hazard.as_ref().map(|hazard| hazard.curve.points()),
+        hazard_source: hazard.map(|hazard| hazard.source),
+        inputs,
     }
 }
 

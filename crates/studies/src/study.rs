@@ -6,7 +6,7 @@ use crate::sheet::TableError;
 use crate::suites::Suite;
 use crate::suites::swept::{SuiteJob, SuiteSweep};
 use topple::backend::backend_error::BackendError;
-use topple::scene::SceneError;
+use topple::scene::{Scene, SceneError};
 use topple::sweep::error::SweepError;
 use topple::work::observer::Observer;
 
@@ -40,10 +40,12 @@ pub trait Study: Send + Sized {
     fn of(sweep: SuiteSweep, settings: Self::Settings, observer: &dyn Observer) -> Option<Self>;
 
     /// The sweeps that it was made of.
-    fn sweep(&self) -> &SuiteSweep;
+    fn sweep(&mut self) -> &mut SuiteSweep;
 
-    /// The same without the study.
-    fn into_sweep(self) -> SuiteSweep;
+    /// True where it has something for a table of its request.
+    fn has(&self, _file: &str) -> bool {
+        true
+    }
 }
 
 /// A study that is ready to run.
@@ -52,6 +54,10 @@ pub struct StudyJob<S: Study> {
     pub sweep: SuiteJob,
     /// What is computed for them, and how.
     pub settings: S::Settings,
+    /// How often each motion is swept.
+    pub times: usize,
+    /// The scenes under their first motions.
+    pub scenes: Vec<Scene>,
 }
 
 impl<S: Study> StudyJob<S> {
@@ -65,25 +71,8 @@ impl<S: Study> StudyJob<S> {
     }
 }
 
-/// A table of a study.
-pub struct StudyTable<S> {
-    /// The name of its file.
-    pub file: &'static str,
-    /// Writes it.
-    pub write: fn(&S, &mut dyn Write) -> io::Result<()>,
-    /// True where a study has something for it.
-    pub is_of: fn(&S) -> bool,
-}
-
-impl<S> StudyTable<S> {
-    /// A table that every study of its request has.
-    pub const fn new(
-        file: &'static str,
-        write: fn(&S, &mut dyn Write) -> io::Result<()>,
-    ) -> StudyTable<S> {
-        StudyTable { file, write, is_of: |_| true }
-    }
-}
+/// A table of a study: the name of its file, and what writes it.
+pub type StudyTable<S> = (&'static str, fn(&S, &mut dyn Write) -> io::Result<()>);
 
 /// Why there is no study.
 #[derive(Debug, thiserror::Error)]

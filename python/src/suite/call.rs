@@ -112,17 +112,16 @@ impl<'a, 'py> Call<'a, 'py> {
     pub fn tables<R: StudyRequest>(
         &self,
         request: &R,
-        study: R::Study,
+        mut study: R::Study,
         about: &Value,
     ) -> PyResult<Tables<'py>> {
         let all = PyDict::new(self.py);
-        for table in request.tables() {
-            let name = table.file.trim_end_matches(".csv");
-            if table.file != RUNS && (table.is_of)(&study) {
-                all.set_item(name, text(|to| (table.write)(&study, to))?)?;
+        for (file, write) in request.tables() {
+            if file != RUNS && study.has(file) {
+                all.set_item(file.trim_end_matches(".csv"), text(|to| write(&study, to))?)?;
             }
         }
-        study.into_sweep().discard_saved()?;
+        study.sweep().discard_saved()?;
         Ok((Some(all), Some(about.to_string())))
     }
 }

@@ -136,12 +136,8 @@ impl Study for Comparison {
         Some(Comparison { sweep, settings, devices })
     }
 
-    fn sweep(&self) -> &SuiteSweep {
-        &self.sweep
-    }
-
-    fn into_sweep(self) -> SuiteSweep {
-        self.sweep
+    fn sweep(&mut self) -> &mut SuiteSweep {
+        &mut self.sweep
     }
 }
 

@@ -161,11 +161,12 @@ impl StudyRequest for ComparisonRequest {
             scales,
             shaken,
         };
-        Ok(StudyJob { sweep, settings })
+        let scenes = settings.scenes.clone();
+        Ok(StudyJob { sweep, settings, times: self.devices.len(), scenes })
     }
 
     fn tables(&self) -> Vec<StudyTable<Comparison>> {
-        vec![StudyTable::new("compare.csv", write)]
+        vec![("compare.csv", write)]
     }
 }
 

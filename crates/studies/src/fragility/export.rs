@@ -76,14 +76,8 @@ impl Export {
     /// The table of the curves of a study by its first estimator.
     pub fn table(&self) -> StudyTable<FragilityStudy> {
         match self {
-            Export::Nrml => StudyTable {
-                is_of: |study| !Export::Nrml.is_empty(study),
-                ..StudyTable::new(self.file(), write_nrml)
-            },
-            Export::Pelicun => StudyTable {
-                is_of: |study| !Export::Pelicun.is_empty(study),
-                ..StudyTable::new(self.file(), write_pelicun)
-            },
+            Export::Nrml => (self.file(), write_nrml),
+            Export::Pelicun => (self.file(), write_pelicun),
         }
     }
 

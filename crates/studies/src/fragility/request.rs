@@ -10,7 +10,6 @@ use super::study::{FragilityStudy, StudySettings};
 use super::tables;
 use crate::statistics::Bootstrap;
 use crate::statistics::bca::FEWEST;
-use crate::statistics::bootstrap::MANY;
 use crate::study::{StudyError, StudyJob, StudyRequest, StudyTable};
 use crate::suites::intensity::Intensity;
 use crate::suites::request::{SuiteRequest, above_zero};
@@ -222,28 +221,23 @@ impl StudyRequest for FragilityRequest {
             hazard: self.hazard.clone(),
             target: self.target,
         };
-        Ok(StudyJob { sweep, settings })
+        let scenes = vec![sweep.scene.clone()];
+        Ok(StudyJob { sweep, settings, times, scenes })
     }
 
     fn tables(&self) -> Vec<StudyTable<FragilityStudy>> {
-        let mut all = vec![
-            StudyTable::new("fragility.csv", tables::write_counts),
-            StudyTable::new("fits.csv", tables::write_fits),
-        ];
-        all.extend(match self.vary.is_empty() {
-            true => [
-                StudyTable::new("capacities.csv", tables::write_capacities),
-                StudyTable {
-                    is_of: |study| study.cells.len() <= MANY,
-                    ..StudyTable::new(RUNS, tables::write_runs)
-                },
-            ],
-            false => [
-                StudyTable::new("sensitivity.csv", tables::write_sensitivity),
-                StudyTable::new("points.csv", tables::write_points),
-            ],
-        });
-        all.extend(self.hazard.iter().map(|_| StudyTable::new("rates.csv", tables::write_rates)));
+        let mut all: Vec<StudyTable<FragilityStudy>> =
+            vec![("fragility.csv", tables::write_counts), ("fits.csv", tables::write_fits)];
+        if self.vary.is_empty() {
+            all.push(("capacities.csv", tables::write_capacities));
+            all.push((RUNS, tables::write_runs));
+        } else {
+            all.push(("sensitivity.csv", tables::write_sensitivity));
+            all.push(("points.csv", tables::write_points));
+        }
+        if self.hazard.is_some() {
+            all.push(("rates.csv", tables::write_rates));
+        }
         all.extend(Export::ALL.iter().filter(|one| self.exports.contains(one)).map(Export::table));
         all
     }

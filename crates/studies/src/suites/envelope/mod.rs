@@ -204,12 +204,8 @@ impl Study for Envelope {
         Some(Envelope::of(sweep, settings))
     }
 
-    fn sweep(&self) -> &SuiteSweep {
-        &self.sweep
-    }
-
-    fn into_sweep(self) -> SuiteSweep {
-        self.sweep
+    fn sweep(&mut self) -> &mut SuiteSweep {
+        &mut self.sweep
     }
 }
 

@@ -106,13 +106,11 @@ impl StudyRequest for EnvelopeRequest {
         let falling = Falling::of(down.map(|down| (1.0, down)));
         let settings =
             EnvelopeSettings { limits, best, times, varied, intervals, columns, falling };
-        Ok(StudyJob { sweep, settings })
+        let scenes = vec![sweep.scene.clone()];
+        Ok(StudyJob { sweep, settings, times, scenes })
     }
 
     fn tables(&self) -> Vec<StudyTable<Envelope>> {
-        vec![
-            StudyTable::new("envelope.csv", table::write),
-            StudyTable::new("zeta.csv", table::write_zeta),
-        ]
+        vec![("envelope.csv", table::write), ("zeta.csv", table::write_zeta)]
     }
 }
