@@ -5,6 +5,8 @@ use std::env;
 use serde::{Deserialize, Serialize};
 use topple::scene::path_text::PathText;
 
+use super::call::Call;
+
 /// The words of a command, and the directory that its relative paths are in.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CommandLine {
@@ -13,9 +15,10 @@ pub struct CommandLine {
 }
 
 impl CommandLine {
-    /// That of this process.
+    /// That which this thread works for.
     pub fn own() -> CommandLine {
-        let arguments = env::args_os().skip(1).map(|word| PathText(word.into())).collect();
+        let words = Call::current().words.clone();
+        let arguments = words.into_iter().map(|word| PathText(word.into())).collect();
         let directory = PathText(env::current_dir().unwrap_or_default());
         CommandLine { arguments, directory }
     }
