@@ -2,20 +2,18 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::fmt;
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::block::{self, Block};
-use super::cell_value::Stored;
+use super::block::Block;
 use super::chunk;
 use super::chunking::Chunking;
 use super::column_set::ColumnSet;
-use super::columns::{Column, ColumnType, TABLE, with_column};
-use super::element::ColumnNumber;
+use super::columns::{Column, TABLE};
 use super::outcomes::Outcomes;
+use super::values::{ColumnValues, ValueType};
 use super::zarr::chunk_path;
 use crate::model::precision::Precision;
 use crate::scene::bounded;
@@ -81,15 +79,8 @@ pub struct ShardFolder {
 /// A column of a chunk in a folder, all three by their numbers.
 type Place = (usize, usize, usize);
 
-/// Fills a column of outcomes of cells from a place on.
-type FillColumn = dyn Fn(usize, &mut [Outcome]) + Send + Sync;
-
-/// That of the values of a column.
-fn filling<C: ColumnType, F: ColumnNumber>(values: Vec<Stored<C::Value, F>>) -> Arc<FillColumn> {
-    Arc::new(move |first, outcomes| block::read::<C, F>(&values[first..], outcomes))
-}
-
 /// Outcomes that lie on disk, in one folder or in several that hold a shard each.
+#[derive(Debug)]
 pub struct ChunkReader {
     chunking: Chunking,
     /// The requested columns.
@@ -97,13 +88,7 @@ pub struct ChunkReader {
     /// By their first cells.
     held: Vec<ShardFolder>,
     /// The last values read of each column: who goes through a map asks for a chunk's many times.
-    last: Mutex<BTreeMap<usize, (Place, Arc<FillColumn>)>>,
-}
-
-impl fmt::Debug for ChunkReader {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("ChunkReader").field("held", &self.held).finish_non_exhaustive()
-    }
+    last: Mutex<BTreeMap<usize, (Place, Arc<ColumnValues>)>>,
 }
 
 impl ChunkReader {
@@ -127,9 +112,9 @@ impl ChunkReader {
     }
 
     /// The values of a column of a chunk in a folder.
-    fn values(&self, place: Place) -> io::Result<Arc<FillColumn>> {
+    fn values(&self, place: Place) -> io::Result<Arc<ColumnValues>> {
         let (folder, chunk, column) = place;
-        let known = |last: &BTreeMap<usize, (Place, Arc<FillColumn>)>| {
+        let known = |last: &BTreeMap<usize, (Place, Arc<ColumnValues>)>| {
             last.get(&column).filter(|(of, _)| *of == place).map(|(_, values)| values.clone())
         };
         // What a thread that broke off leaves is whole: values are made before they are kept.
@@ -145,15 +130,13 @@ impl ChunkReader {
             Ok(chunk::unpack(&bounded::read(&path, chunk::LARGEST).map_err(named)?, count))
         };
         let sizes = (self.chunking.cells(chunk).len(), self.chunking.chunk_cells());
-        let values = with_column!(entry.column, C => match precision {
-            Precision::F32 => chunk::decode::<C, f32, io::Error>(sizes, &mut arrays)?.map(filling::<C, f32>),
-            Precision::F64 => chunk::decode::<C, f64, io::Error>(sizes, &mut arrays)?.map(filling::<C, f64>),
-        });
-        let values = values.ok_or_else(|| {
+        let of = (entry.column, *precision);
+        let values = chunk::decode::<io::Error>(of, sizes, &mut arrays)?.ok_or_else(|| {
             let array = path.join(chunk_path(entry.name, &self.chunking, chunk));
             let problem = format!("{}: damaged since it was found", array.display());
             io::Error::new(io::ErrorKind::InvalidData, problem)
         })?;
+        let values = Arc::new(values);
         last().insert(column, (place, values.clone()));
         Ok(values)
     }
@@ -169,12 +152,15 @@ impl Outcomes for ChunkReader {
             let place = some.start - cells.start..some.end - cells.start;
             each_chunk(&self.chunking, &some, &mut outcomes[place], |chunk, first, outcomes| {
                 for column in columns {
-                    if !self.columns.held().has(*column) {
-                        with_column!(*column, C => block::leave_out::<C>(outcomes));
-                        continue;
+                    let entry = column.entry();
+                    if self.columns.held().has(*column) {
+                        let values = self.values((folder, chunk, *column as usize))?;
+                        (entry.give)(&values, first, outcomes);
+                    } else {
+                        let of = ValueType::of(entry.kind, held.precision);
+                        let absent = ColumnValues::all(entry.kind.filler(), of, outcomes.len());
+                        (entry.give)(&absent, 0, outcomes);
                     }
-                    let values = self.values((folder, chunk, *column as usize))?;
-                    values(first, outcomes);
                 }
                 Ok(())
             })?;

@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 use super::chunk::Fault;
 use super::chunking::Chunking;
 use super::column_set::ColumnSet;
-use super::columns::{Column, of};
+use super::columns::Column;
 use super::store_error::StoreError;
-use super::{block, chunk, zarr};
+use super::{chunk, zarr};
 use crate::model::precision::Precision;
 use crate::scene::bounded;
 use crate::work::parallel;
@@ -108,10 +108,9 @@ fn find(
             let packed = bounded::read(&path, chunk::LARGEST).map_err(StoreError::file(&path))?;
             Ok(chunk::unpack(&packed, count))
         };
-        // Only which cells have run is asked for, which every number type has alike.
-        let codes =
-            chunk::decode::<of::Status, f32, StoreError>((cells.len(), whole), &mut arrays)?;
-        Ok(codes.map(|codes| block::done(&codes)))
+        let (of, sizes) = ((Column::Status, precision), (cells.len(), whole));
+        let codes = chunk::decode::<StoreError>(of, sizes, &mut arrays)?;
+        Ok(codes.map(|codes| codes.done()))
     };
     if broken.is_empty() {
         if let Some(done) = codes()? {

@@ -110,9 +110,9 @@ impl MapSweep {
             return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
         }
         let mut values = Vec::with_capacity(self.grid.len());
-        let shown = column.entry().shown;
+        let entry = column.entry();
         each_block(&self.grid, &*self.outcomes, &[column], |_, block| {
-            values.extend(block.iter().map(|cell| shown(cell).number()));
+            values.extend(block.iter().map(|cell| entry.shown(cell).number()));
             Ok(())
         })?;
         Ok(values)

@@ -5,9 +5,12 @@ use std::env;
 use topple::scene::path_text::PathText;
 use topple_manifest::CommandLine;
 
-/// That of this process.
+use super::call::Call;
+
+/// That which this thread works for.
 pub fn own() -> CommandLine {
-    let arguments = env::args_os().skip(1).map(|word| PathText(word.into())).collect();
+    let words = Call::current().words.clone();
+    let arguments = words.into_iter().map(|word| PathText(word.into())).collect();
     let directory = PathText(env::current_dir().unwrap_or_default());
     CommandLine { arguments, directory }
 }

@@ -20,6 +20,7 @@ use topple_studies::Sharpness;
 
 use super::InputError;
 use super::beside;
+use super::call::Call;
 use super::errors::{not_verified, sweep_error};
 use super::map_file::MapFile;
 use super::map_files;
@@ -160,8 +161,9 @@ fn files<'a>(
     let names = map_files::places((&map.plan.scene, &map.grid, asked), files, to.parts);
     results.begin(names, say)?;
     let (out, whole) = (&results.out, &*map);
+    let call = Call::current();
     let (pictures, tables) = rayon::join(
-        || (map_files::pictures(out, &slices, print), began.elapsed()),
+        || call.scope(|| (map_files::pictures(out, &slices, print), began.elapsed())),
         || map_files::tables(out, whole, &slices, files, screen),
     );
     if tables.is_err() && super::interrupt::asked() {
