@@ -196,7 +196,7 @@ fn shards_may_come_from_different_backends() {
     let shards = joined(&both);
     let whole = shards.content.whole();
     let store = shards.store(&dir.path().join("joining")).unwrap();
-    assert_eq!(store.precision(), Precision::F64);
+    assert_eq!(store.files().precision, Precision::F64);
     assert_ne!(store.tag(), whole.identity().unwrap().tag());
 }
 
