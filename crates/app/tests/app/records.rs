@@ -54,17 +54,23 @@ fn a_history_says_what_was_made_of_a_sign() {
         fs::write(place.path().join(name), format!("{heading}\n{rows}")).unwrap();
     };
     file("h.txt", "Time (s) NS (m/s2)", 1.0);
-    for (heading, wanted) in [
-        ("# positive north, east, down", "vertical: positive down by its file: turned over"),
-        ("# polarity: reversed", "line 1 speaks of a sign in words that are not understood"),
-    ] {
+    let run = |heading: &str, force: &[&str]| {
         file("v.txt", &format!("{heading}\nTime (s) UD (m/s2)"), 2.0);
         let cell = ["history", "--object", "1", "--t-h", "1", "--t-v", "0.5", "--out", "out"];
         let files = ["--horizontal", "h.txt", "--vertical", "v.txt"];
         let mut command = Command::topple();
-        let run = command.current_dir(place.path()).args(cell).args(files).assert().success();
-        let told = String::from_utf8_lossy(&run.get_output().stdout).into_owned();
-        let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
-        assert!(told.contains(wanted), "{told}");
-    }
+        command.current_dir(place.path()).args(cell).args(files).args(force).assert()
+    };
+    let words = |text: &[u8]| {
+        String::from_utf8_lossy(text).split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let told = words(&run("# positive north, east, down", &[]).success().get_output().stdout);
+    assert!(told.contains("vertical: positive down by its file: turned over"), "{told}");
+    let told = words(&run("# polarity: reversed", &[]).code(2).get_output().stderr);
+    assert!(
+        told.contains("v.txt: line 1: 'polarity: reversed' may tell a sign or a factor"),
+        "{told}"
+    );
+    assert!(told.ends_with("--force accepts it"), "{told}");
+    run("# polarity: reversed", &["--force"]).success();
 }
