@@ -14,6 +14,7 @@ mod contradictions;
 mod devices;
 mod docs_pictures;
 mod drivers;
+mod earlier_runs;
 mod ending;
 mod envelopes;
 mod experiments;
