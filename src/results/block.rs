@@ -134,6 +134,23 @@ impl Block {
         }
     }
 
+    /// The bytes of all columns, one after the other.
+    pub(super) fn to_bytes(&self) -> Vec<u8> {
+        self.columns.iter().flat_map(ColumnValues::to_bytes).collect()
+    }
+
+    /// The columns of so many cells from their bytes; none where these are too few, or have a code of nothing.
+    pub(super) fn of_bytes(mut bytes: &[u8], cells: usize, precision: Precision) -> Option<Block> {
+        let mut column = |kind| {
+            let of = ValueType::of(kind, precision);
+            let (column, rest) = bytes.split_at_checked(of.size() * cells)?;
+            bytes = rest;
+            Some(ColumnValues::of_bytes(column, of, cells)).filter(|values| values.have_names(kind))
+        };
+        let columns = TABLE.iter().map(|entry| column(entry.kind)).collect::<Option<Vec<_>>>()?;
+        Some(Block { precision, columns })
+    }
+
     /// Some of the columns, in the order of the table.
     pub fn into_columns(self, asked: ColumnSet) -> Vec<(Column, ColumnValues)> {
         let all = Column::ALL.into_iter().zip(self.columns);

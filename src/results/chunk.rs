@@ -10,12 +10,11 @@ use flate2::bufread::GzDecoder;
 use flate2::{Compression, GzBuilder};
 
 use super::block::{Block, PENDING};
-use super::column_set::ColumnSet;
 use super::columns::{Column, status_code};
 use super::values::{ColumnValues, ValueType};
-use super::zarr::{self, LEVEL, PROVED};
+use super::zarr::{LEVEL, PROVED};
 use crate::model::precision::Precision;
-use crate::stepping::outcome::{Class, Status};
+use crate::stepping::outcome::Status;
 
 /// Largest file of a chunk that is read, bytes: twice the most that a chunk's numbers take.
 pub const LARGEST: u64 = 16 << 20;
@@ -151,53 +150,20 @@ pub fn encode(array: &str, column: Column, block: &Block, cells: usize) -> Vec<u
     bytes
 }
 
-/// The bytes of an array, by its name and their number; none where these are not whole.
-pub type ArrayBytes<'a, E> = dyn FnMut(&str, usize) -> Result<Option<Vec<u8>>, E> + 'a;
-
-/// The values of a column's first `count` cells from the bytes of its arrays, of chunks of a given number of cells; none where those
-/// are not whole, or have a code of nothing.
-///
-/// # Errors
-/// Those of `arrays`.
-pub(super) fn decode<E>(
+/// The values of a column's first `count` cells from the bytes of its array, and of the array that says which of them ended
+/// early; none where they have a code of nothing.
+pub(super) fn decode(
     (column, precision): (Column, Precision),
-    (count, cells): (usize, usize),
-    arrays: &mut ArrayBytes<E>,
-) -> Result<Option<ColumnValues>, E> {
-    let of = ValueType::of(column.entry().kind, precision);
-    let proved = if column == Column::Status { arrays(PROVED, cells)? } else { Some(Vec::new()) };
-    let bytes = arrays(column.entry().name, of.size() * cells)?;
-    let (Some(bytes), Some(proved)) = (bytes, proved) else { return Ok(None) };
-    let values = ColumnValues::of_bytes(&bytes, of, count);
-    Ok(match (column, values) {
-        (Column::Status, ColumnValues::Codes(codes)) => {
-            let held = codes.iter().zip(&proved).map(|(code, proved)| held_code(*code, *proved));
-            held.collect::<Option<_>>().map(ColumnValues::Codes)
-        }
-        (Column::Outcome, ColumnValues::Codes(codes)) => {
-            let named = codes.iter().all(|code| usize::from(*code) < Class::ALL.len());
-            named.then_some(ColumnValues::Codes(codes))
-        }
-        (_, values) => Some(values),
-    })
-}
-
-/// The whole block of a chunk; its arrays are requested in the order of [`zarr::columns`]. Columns that are not held
-/// have what tells that they are not known.
-///
-/// # Errors
-/// Those of `arrays`; none where one of them is not whole.
-pub fn decode_all<E>(
-    sizes: (usize, usize),
-    (precision, asked): (Precision, ColumnSet),
-    arrays: &mut ArrayBytes<E>,
-) -> Result<Option<Block>, E> {
-    let mut block = Block::absent(sizes.0, precision);
-    for (_, column) in zarr::columns(asked).filter(|(array, _)| *array != PROVED) {
-        match decode((column, precision), sizes, arrays)? {
-            Some(values) => block.replace(column, values),
-            None => return Ok(None),
-        }
+    count: usize,
+    bytes: &[u8],
+    proved: &[u8],
+) -> Option<ColumnValues> {
+    let kind = column.entry().kind;
+    let values = ColumnValues::of_bytes(bytes, ValueType::of(kind, precision), count);
+    if column == Column::Status {
+        let codes = values.codes().iter().zip(proved);
+        let held = codes.map(|(code, proved)| held_code(*code, *proved));
+        return held.collect::<Option<_>>().map(ColumnValues::Codes);
     }
-    Ok(Some(block))
+    values.have_names(kind).then_some(values)
 }

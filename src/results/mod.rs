@@ -1,7 +1,7 @@
 //! Results as columns: what each column is, columns in memory and on disk, and their files.
 //!
 //! ```text
-//! cell_value, values, columns (the table), column_set -> block (in memory) -> chunking, chunk, zarr, group, store (on disk) -> csv, npz
+//! cell_value, values, columns (the table), column_set -> block (in memory) -> chunking, chunk, zarr, chunk_files, group, store (on disk) -> csv, npz
 //! ```
 
 pub mod about;
@@ -9,6 +9,7 @@ pub mod block;
 mod busy;
 pub(crate) mod cell_value;
 pub mod chunk;
+pub mod chunk_files;
 pub mod chunking;
 pub mod collector;
 pub mod colour;

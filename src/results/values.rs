@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::cell_value::{ColumnKind, PENDING};
 use crate::model::precision::Precision;
-use crate::stepping::outcome::Outcome;
+use crate::stepping::outcome::{Class, Outcome, Status};
 
 /// The number type of a column's values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -143,6 +143,15 @@ impl ColumnValues {
             ColumnValues::Codes(codes) => codes,
             _ => &[],
         }
+    }
+
+    /// True where each code of a column of a kind has a name, or is that of a cell that has not run.
+    pub(super) fn have_names(&self, kind: ColumnKind) -> bool {
+        let named = |code: u8| match kind {
+            ColumnKind::Class => usize::from(code) < Class::ALL.len(),
+            _ => usize::from(code) < Status::ALL.len() || code == PENDING,
+        };
+        self.codes().iter().all(|code| named(*code))
     }
 
     /// The ranges of cells that have run, of a column of statuses.

@@ -14,7 +14,7 @@ mod damage;
 mod made;
 mod memory;
 #[allow(dead_code)]
-#[path = "../app/motions.rs"]
+#[path = "../../../../tests/common/motions.rs"]
 mod motions;
 mod readers;
 mod records;
