@@ -78,7 +78,7 @@ fn list(folder: &Path, deepest: usize, files: &mut Vec<PathBuf>) {
 }
 
 /// The letters of a text that the font of the pictures lacks.
-fn lacking(text: &str) -> BTreeSet<char> {
+pub fn lacking(text: &str) -> BTreeSet<char> {
     text.chars().filter(|letter| font::lacks(*letter)).collect()
 }
 
@@ -182,48 +182,5 @@ impl fmt::Display for Missing {
             quoted.collect::<Vec<_>>().join(", "),
             more(texts.len())
         )
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{fonts, lacking, missing};
-    use crate::drawing::canvas::Canvas;
-    use crate::drawing::picture::Picture;
-    use crate::drawing::text::style;
-
-    /// A letter for private use of the last plane, which no font has.
-    const NONE: char = '\u{10fffd}';
-
-    fn picture(text: &str) -> Picture {
-        let mut canvas = Canvas::new(100.0);
-        canvas.text((5.0, 10.0), style(7.0), text);
-        canvas.finish(20.0)
-    }
-
-    #[test]
-    fn letters_that_no_font_has_are_named_with_their_text() {
-        let said = missing([&picture(&format!("T_h & <{NONE}>"))]).unwrap().to_string();
-        assert!(said.contains(&format!("the letters {NONE} (U+10FFFD) of ")), "{said}");
-        assert!(!said.contains('\n') && said.contains("install a font"), "{said}");
-        assert!(said.contains(&format!("of \"Th & <{NONE}>\":")), "{said}");
-    }
-
-    #[test]
-    fn letters_of_the_font_are_no_fault_and_need_no_other_font() {
-        let text = "Ünïcødé αβγδεζηθ Москва ≥ ≤ ≈ ± × · − – … ° ² ³ √ ∞ ü";
-        assert!(lacking(text).is_empty(), "{:?}", lacking(text));
-        assert_eq!(missing([&picture(&format!("{text} v\u{308}_g"))]), None);
-        assert!(fonts(text).is_empty());
-        assert!(!lacking("免震 مخمد 면진 🙂").is_empty());
-    }
-
-    #[test]
-    fn letters_that_no_font_has_stay_text_where_others_become_outlines() {
-        assert!(!picture("plain").outlined().contains("<text"));
-        let kept = picture(&format!("a{NONE}"));
-        let svg = kept.outlined();
-        assert!(svg.contains("<text") && svg.contains(NONE), "{svg}");
-        assert!(kept.png().is_ok());
     }
 }

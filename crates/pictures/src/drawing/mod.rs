@@ -26,7 +26,7 @@ pub mod share;
 pub(crate) mod svg;
 pub mod swatch;
 pub mod text;
-pub(crate) mod ticks;
+pub mod ticks;
 
 /// Points of a millimetre.
 pub const MILLIMETRE: f64 = 72.0 / 25.4;

@@ -36,7 +36,7 @@ const ROUNDING: f64 = 1.0e-9;
 /// The level of the line around the cells whose share is the least or more. A share that is just reached would lie on a line at
 /// its own level: this one is in the middle of the gap below it, which is that to the next share of the map, and at most that of
 /// one of the motions, if these have equal weights.
-fn border(least: f64, shares: impl Iterator<Item = f64>, motions: usize) -> f64 {
+pub fn border(least: f64, shares: impl Iterator<Item = f64>, motions: usize) -> f64 {
     let gaps = shares.map(|share| least - share).filter(|gap| *gap > ROUNDING);
     least - 0.5 * gaps.fold(1.0 / motions as f64, f64::min)
 }
@@ -144,22 +144,4 @@ pub fn draw(
     let shown = u.or(v).is_some();
     let end = of_standing(&mut canvas, envelope.cells.iter().filter(|_| shown), end, most);
     Ok(Some(canvas.finish(end + MARGIN)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::border;
-
-    #[test]
-    fn the_border_lies_between_the_shares_that_keep_the_limit_and_those_that_do_not() {
-        // Weights of 0.97, 0.02 and 0.01: half of one of three motions would be below them all.
-        let shares = [1.0, 0.99, 0.98, 0.03];
-        for least in [1.0, 0.99, 0.98] {
-            let level = border(least, shares.into_iter(), 3);
-            assert!(shares.iter().all(|share| (*share > level) == (*share >= least)), "{level}");
-        }
-        // Equal weights: half a motion below.
-        assert_eq!(border(1.0, [1.0, 0.75, 0.5].into_iter(), 4), 0.875);
-        assert_eq!(border(1.0, [1.0, 0.25].into_iter(), 4), 0.875);
-    }
 }
