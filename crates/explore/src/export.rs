@@ -54,7 +54,7 @@ const PAGE: &str = "topple explore";
 /// Cells along each axis of a stored map.
 const STORED: u32 = 129;
 /// What a browser without WebGPU is shown of stored maps, beside kinds and marks.
-const COLUMNS: [&str; 9] = [
+pub const COLUMNS: [&str; 9] = [
     "outcome",
     "impacts",
     "zeta",
@@ -88,7 +88,7 @@ pub fn export(directory: &Path, session: &Session, stop: &AtomicBool) -> Result<
 }
 
 /// Writes files in the place of an earlier export's, each whole or not at all.
-fn write(out: &Directory, earlier: &[String], files: &[File]) -> Result<u64, ExportError> {
+pub fn write(out: &Directory, earlier: &[String], files: &[File]) -> Result<u64, ExportError> {
     let names: BTreeSet<&str> = files.iter().map(|(name, _)| &**name).collect();
     let is_listed = |name: &str| earlier.iter().any(|listed| listed == name);
     if names.iter().any(|name| !is_listed(name) && out.file(name).symlink_metadata().is_ok()) {
@@ -116,7 +116,7 @@ fn is_of_page(name: &str, names: &BTreeSet<&str>) -> bool {
 }
 
 /// The files of an earlier export in a folder; none where the folder is empty, or is none.
-fn earlier(directory: &Path) -> Result<Vec<String>, ExportError> {
+pub fn earlier(directory: &Path) -> Result<Vec<String>, ExportError> {
     let failed = |error| ExportError::File { path: directory.into(), error };
     // What an export that was killed had begun to write is no file.
     let is_whole = |entry: &io::Result<fs::DirEntry>| {
@@ -201,7 +201,7 @@ pub fn shader() -> String {
 }
 
 /// The page with the engine that computes in the browser, and with what a server would tell a browser of it.
-fn index() -> String {
+pub fn index() -> String {
     // A page cannot say itself who may frame it.
     let rules = POLICY.split("; ").filter(|rule| !rule.starts_with("frame-ancestors"));
     let policy = rules.collect::<Vec<&str>>().join("; ");
@@ -219,7 +219,7 @@ fn exported(scene: &Flat) -> Flat {
 }
 
 /// The first scene, and the same on the other kinds of base, each with its title.
-fn scenes(first: &Flat) -> Vec<(String, Flat)> {
+pub fn scenes(first: &Flat) -> Vec<(String, Flat)> {
     let kinds = [
         (Directions::Dual, "isolated horizontally and vertically"),
         (Directions::Horizontal, "isolated horizontally alone"),
@@ -262,78 +262,4 @@ fn stored(session: &Session, stop: &AtomicBool) -> Result<(Vec<Value>, Vec<File>
         listed.push(json!({ "title": title, "scene": exported(&scene), "file": file }));
     }
     Ok((listed, files))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use topple::results::columns::{ColumnKind, TABLE};
-
-    #[test]
-    fn the_page_says_what_it_may_load() {
-        let text = index();
-        assert!(text.contains("default-src 'self'") && !text.contains("frame-ancestors"));
-    }
-
-    #[test]
-    fn stored_columns_are_columns_of_numbers_and_codes() {
-        for name in COLUMNS {
-            let entry = TABLE.iter().find(|entry| entry.name == name);
-            // A time that a cell has not is no number, which the page tells apart by its column.
-            assert!(entry.is_some_and(|entry| entry.kind != ColumnKind::Time), "{name}");
-        }
-    }
-
-    #[test]
-    fn the_first_stored_map_is_the_first_scenes() {
-        let of = |pairs: &[(&str, &str)]| -> Flat {
-            pairs.iter().map(|(key, text)| ((*key).into(), (*text).into())).collect()
-        };
-        let first = of(&[("isolation", "vertical"), ("t_v", "0.5"), ("omega", "1:2")]);
-        let scenes = scenes(&first);
-        assert_eq!(scenes[0].1, first);
-        let ground = &scenes.iter().find(|(title, _)| title == "on the ground").unwrap().1;
-        assert_eq!(*ground, of(&[("isolation", "none"), ("omega", "1:2")]));
-        assert_eq!(scenes.len(), 4);
-    }
-
-    #[test]
-    fn a_folder_of_other_files_is_left_as_it_is() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path();
-        assert!(earlier(&path.join("none")).unwrap().is_empty());
-        assert!(earlier(path).unwrap().is_empty());
-        fs::write(path.join("thesis.tex"), "mine").unwrap();
-        assert!(matches!(earlier(path), Err(ExportError::Occupied(_))));
-        let names = ["about.json", "../thesis.tex", "/etc/passwd"];
-        let list = json!({ "files": names });
-        fs::write(path.join(LIST), list.to_string()).unwrap();
-        assert!(matches!(earlier(path), Err(ExportError::Occupied(_))));
-        let list = json!({ "page": PAGE, "files": names });
-        fs::write(path.join(LIST), list.to_string()).unwrap();
-        assert_eq!(earlier(path).unwrap(), ["about.json"]);
-    }
-
-    /// Of an earlier export goes what it wrote, and nothing is overwritten that it did not.
-    #[test]
-    fn an_export_writes_over_its_own_files_alone() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path();
-        let file = |name: &str| (name.to_string(), name.as_bytes().to_vec());
-        let out = || Directory::open(path).unwrap();
-        fs::write(path.join(".topple-export.json.aB3xY9.part"), "half").unwrap();
-        let begun = earlier(path).unwrap();
-        write(&out(), &begun, &[file("index.html"), file("old/page.html")]).unwrap();
-        assert!(!path.join(".topple-export.json.aB3xY9.part").exists());
-        fs::write(path.join("thesis.tex"), "mine").unwrap();
-        let mut listed = earlier(path).unwrap();
-        listed.push("thesis.tex".into());
-        write(&out(), &listed, &[file("index.html")]).unwrap();
-        assert!(!path.join("old/page.html").exists());
-        assert_eq!(fs::read(path.join("thesis.tex")).unwrap(), b"mine");
-        fs::write(path.join("sweep.wgsl"), "mine").unwrap();
-        let refused = write(&out(), &earlier(path).unwrap(), &[file("sweep.wgsl")]);
-        assert!(matches!(refused, Err(ExportError::Occupied(_))));
-        assert_eq!(fs::read(path.join("sweep.wgsl")).unwrap(), b"mine");
-    }
 }

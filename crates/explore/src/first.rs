@@ -59,20 +59,3 @@ pub fn first() -> Value {
         },
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::first;
-
-    /// A device has all of its damping by its numbers: no viscous damper, and a pendulum its own displacement before it slides.
-    #[test]
-    fn a_device_has_defaults_of_its_own() {
-        let first = first();
-        let defaults = &first["defaults"];
-        for device in ["pendulum", "bearing"] {
-            assert_eq!(defaults[device]["xi_h"], 0.0, "{defaults}");
-            assert!(defaults[device].get("xi_v").is_none(), "{defaults}");
-        }
-        assert_eq!(defaults["pendulum"]["u_y"], 0.0005, "{defaults}");
-    }
-}

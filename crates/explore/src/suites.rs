@@ -16,9 +16,9 @@ use super::room::{Room, Taken};
 use topple_studies::suites::read::{Suite, is_list};
 
 /// Most suites whose files are kept.
-const MOST: usize = 16;
+pub const MOST: usize = 16;
 /// A suite that is not asked for is let go from memory after this time.
-const UNUSED: Duration = Duration::from_secs(60);
+pub const UNUSED: Duration = Duration::from_secs(60);
 
 /// A file that was dropped: its name and its contents.
 pub type File = (String, Bytes);
@@ -76,7 +76,7 @@ fn let_go(kept: &VecDeque<Kept>, unused: Duration) {
 
 /// The places of files in the folder of a suite. Each further file of one name, which a folder may have in capitals, too, lies in a
 /// folder of its own, whose name no file has.
-fn places(files: &[File]) -> Vec<PathBuf> {
+pub fn places(files: &[File]) -> Vec<PathBuf> {
     let names: Vec<String> = files.iter().map(|(name, _)| plain_name(name)).collect();
     let taken: HashSet<String> = names.iter().map(|name| name.to_lowercase()).collect();
     let mut before: HashMap<String, usize> = HashMap::new();
@@ -151,7 +151,11 @@ impl Suites {
         self.get_by(id, read)
     }
 
-    fn get_by(
+    /// [`Suites::get`] where `read` reads a suite that is not in memory: its folder, and the names of its zip or list.
+    ///
+    /// # Errors
+    /// Those of [`Suites::get`].
+    pub fn get_by(
         &self,
         id: &str,
         read: impl Fn(&Path, &[PathBuf]) -> Result<Suite, Refused>,
@@ -176,126 +180,8 @@ impl Suites {
         Ok(found)
     }
 
-    /// Lets go of what is not used, from memory: asked for while something else is looked at.
-    pub fn rest(&self) {
-        let_go(&self.0.lock().unwrap_or_else(PoisonError::into_inner), UNUSED);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const AT2: &str = "A\nA QUAKE, 1/1/2000, A STATION, 90\nACCELERATION IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n.1 -.2 .1\n";
-
-    fn file(name: &str, text: &str) -> File {
-        (name.into(), text.to_string().into())
-    }
-
-    fn files() -> Vec<File> {
-        let up = AT2.replace(", 90", ", UP").replace(".1", ".05");
-        vec![file("A-090.AT2", AT2), file("A-UP.AT2", &up)]
-    }
-
-    fn add(folder: &Path, suites: &Suites, files: &[File]) -> Result<Value, Refused> {
-        suites.add((folder, &Room::default()), files)
-    }
-
-    #[test]
-    fn files_of_one_name_and_one_whose_name_is_a_folders_are_told_apart() {
-        for names in [["a", "a", "2"], ["2", "a", "a"], ["a", "2", "A"], ["a", "a", "a"]] {
-            let files = names.map(|name| file(name, AT2));
-            let placed = places(&files);
-            let lower: HashSet<String> =
-                placed.iter().map(|place| place.to_string_lossy().to_lowercase()).collect();
-            assert_eq!(lower.len(), 3, "{names:?}: {placed:?}");
-            let mut inside = placed.iter().filter_map(|place| place.parent());
-            assert!(inside.all(|folder| !placed.iter().any(|place| place == folder)));
-        }
-        // Two pairs of the same names, and a file whose name is that of a folder, wherever it comes.
-        let of = |quake: &str| {
-            let other = |(name, bytes): File| {
-                (name, String::from_utf8_lossy(&bytes).replace("QUAKE", quake).into())
-            };
-            files().into_iter().map(other).collect::<Vec<File>>()
-        };
-        for place in 0..5 {
-            let mut all = [of("QUAKE"), of("OTHER")].concat();
-            all.insert(place, file("2", AT2));
-            let folder = tempfile::tempdir().unwrap();
-            let told = add(folder.path(), &Suites::default(), &all);
-            let told = told.unwrap_or_else(|error| panic!("{place}: {error}"));
-            assert_eq!(told["motions"], 2, "{place}: {told}");
-        }
-    }
-
-    #[test]
-    fn nobody_waits_for_a_suite_that_another_reads() {
-        let folder = tempfile::tempdir().unwrap();
-        let suites = Suites::default();
-        let ids = [(), ()].map(|()| {
-            let told = add(folder.path(), &suites, &files()).unwrap();
-            told["id"].as_str().unwrap().to_string()
-        });
-        let_go(&suites.0.lock().unwrap(), Duration::ZERO);
-        let mut reads = std::cell::Cell::new(0);
-        let found = suites.get_by(&ids[0], |folder, whole| {
-            reads.set(reads.get() + 1);
-            assert!(suites.0.try_lock().is_ok(), "the list of suites is locked");
-            suites.rest();
-            assert_eq!(suites.get(&ids[1]).unwrap().motions().count(), 1);
-            read(folder, whole)
-        });
-        assert_eq!((found.unwrap().motions().count(), *reads.get_mut()), (1, 1));
-    }
-
-    #[test]
-    fn suites_have_the_room_of_records_and_leave_it() {
-        let folder = tempfile::tempdir().unwrap();
-        let (suites, room) = (Suites::default(), Room::default());
-        let bytes: u64 = files().iter().map(|(_, bytes)| bytes.len() as u64).sum();
-        for _ in 0..MOST + 2 {
-            suites.add((folder.path(), &room), &files()).unwrap();
-        }
-        assert!(suites.add((folder.path(), &room), &[file("a.txt", "x")]).is_err());
-        assert_eq!(room.taken(), MOST as u64 * bytes);
-    }
-
-    #[test]
-    fn the_oldest_suites_go_with_their_files() {
-        let folder = tempfile::tempdir().unwrap();
-        let suites = Suites::default();
-        let add = || {
-            let told = add(folder.path(), &suites, &files()).unwrap();
-            told["id"].as_str().unwrap().to_string()
-        };
-        let ids: Vec<String> = (0..MOST + 1).map(|_| add()).collect();
-        assert!(suites.get(&ids[0]).is_err() && !folder.path().join(&ids[0]).exists());
-        let line = suites.get(&ids[0]).map(|_| ()).unwrap_err().line;
-        assert!(line.contains("drop the suite's files on the page"), "{line}");
-        assert!(suites.get(&ids[1]).is_ok() && folder.path().join(&ids[1]).exists());
-        let is_in_memory = |own: &Kept| own.files.suite.lock().unwrap().is_some();
-        // In memory there is what was just asked for, and nothing once it is not used; it comes back from its files.
-        let in_memory = || suites.0.lock().unwrap().iter().filter(|own| is_in_memory(own)).count();
-        add();
-        assert_eq!(in_memory(), 1);
-        let_go(&suites.0.lock().unwrap(), Duration::ZERO);
-        assert_eq!(in_memory(), 0);
-        assert_eq!(suites.get(&ids[MOST]).unwrap().motions().count(), 1);
-        // What is no suite leaves nothing.
-        let before = fs::read_dir(folder.path()).unwrap().count();
-        let other = Suites::default();
-        assert!(other.add((folder.path(), &Room::default()), &[file("a.txt", "x")]).is_err());
-        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), before);
-    }
-
-    #[test]
-    fn what_is_wrong_names_no_place_of_the_server() {
-        let folder = tempfile::tempdir().unwrap();
-        for text in ["nothing", "horizontal,dt\nmissing.txt,0.01\n"] {
-            let files = [file("a.csv", text)];
-            let line = add(folder.path(), &Suites::default(), &files).unwrap_err().line;
-            assert!(!line.contains(&*folder.path().to_string_lossy()), "{line}");
-        }
+    /// Lets go of what was not used during a time, from memory: asked for while something else is looked at.
+    pub fn rest(&self, unused: Duration) {
+        let_go(&self.0.lock().unwrap_or_else(PoisonError::into_inner), unused);
     }
 }

@@ -11,6 +11,7 @@ use super::refused::Refused;
 use super::session::{Ready, Session};
 use super::stage::{StageSummary, ViewRequest, header};
 use super::stages::Stages;
+use super::suites::UNUSED;
 use super::watched::Watched;
 use topple::model::precision::Precision;
 use topple::refine::run::refine_on;
@@ -59,7 +60,7 @@ pub fn run(
     tell: &(dyn Fn(Vec<u8>) + Sync),
 ) -> Result<(), Refused> {
     let ViewRequest { scene, count, precision, columns, .. } = request;
-    session.suites.rest();
+    session.suites.rest(UNUSED);
     let grids = Stages::of(scene, *count)?;
     let levels = grids.levels;
     // All stages are of one number type: it does not depend on the count.

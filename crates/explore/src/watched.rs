@@ -10,7 +10,7 @@ use super::frame::frame;
 use topple::work::observer::{Observer, Phase};
 
 /// Time between two words, and before the first one: a stage that is quick is not talked about.
-const BETWEEN: Duration = Duration::from_millis(300);
+pub const BETWEEN: Duration = Duration::from_millis(300);
 
 /// Watches a stage of a view.
 pub struct Watched<'a> {
@@ -57,29 +57,5 @@ impl Observer for Watched<'_> {
         let _told = self.told.lock().unwrap_or_else(PoisonError::into_inner);
         self.done.store(0, Ordering::Relaxed);
         self.total.store(total, Ordering::Relaxed);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_slow_stage_is_told_and_a_quick_one_is_not() {
-        let (stop, frames) = (AtomicBool::new(false), Mutex::new(Vec::new()));
-        let tell = |frame: Vec<u8>| frames.lock().unwrap().push(frame);
-        let watched = Watched::new("fine", &stop, &tell);
-        watched.begins(Phase::Sweeping, 100);
-        watched.advance(10);
-        assert!(frames.lock().unwrap().is_empty());
-        std::thread::sleep(BETWEEN);
-        watched.advance(30);
-        watched.advance(1);
-        let frames = frames.lock().unwrap();
-        assert_eq!(frames.len(), 1);
-        let text = String::from_utf8_lossy(&frames[0][4..]).into_owned();
-        assert!(text.contains(r#""done":40"#) && text.contains(r#""of":100"#), "{text}");
-        stop.store(true, Ordering::Relaxed);
-        assert!(watched.cancelled());
     }
 }
