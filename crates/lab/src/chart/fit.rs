@@ -30,19 +30,3 @@ pub const CLEAR: f64 = 8.0;
 const COARSE: f64 = 1.0e-2;
 /// Factor in step or time over which a slope is one.
 const APART: f64 = 2.0;
-
-#[cfg(test)]
-mod tests {
-    use super::slope;
-
-    #[test]
-    fn a_power_law_above_a_floor_has_its_slope() {
-        let points: Vec<(f64, f64)> = (0..12)
-            .map(|k| 0.1 * 0.5_f64.powi(k))
-            .map(|h| (h, (3.0 * h.powi(4)).max(1.0e-13)))
-            .collect();
-        let found = slope(&points).unwrap_or_default();
-        assert!((found - 4.0).abs() < 1.0e-9, "{found}");
-        assert_eq!(slope(&points[..2]), None);
-    }
-}

@@ -191,23 +191,3 @@ pub fn write(rows: &[Row], writer: impl Write) -> Result<(), csv::Error> {
     table.flush()?;
     Ok(())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{read, write};
-
-    /// The table of the documentation, and one without a scene's name.
-    #[test]
-    fn a_table_is_read_as_it_was_written() -> Result<(), Box<dyn std::error::Error>> {
-        let text = include_str!("../../../../docs/chart.csv");
-        let names = ["pulse", "record", "free", "maps"];
-        let rows = read(text.as_bytes(), &names)?;
-        let mut again = Vec::new();
-        write(&rows, &mut again)?;
-        assert_eq!(String::from_utf8(again)?, text);
-        assert!(rows.len() > 100);
-        let said = read(text.as_bytes(), &names[1..]).map_err(|error| error.to_string());
-        assert!(said.is_err_and(|said| said.contains("'pulse' is none of record, free, maps")));
-        Ok(())
-    }
-}

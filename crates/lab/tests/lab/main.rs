@@ -6,6 +6,10 @@
 mod common;
 
 mod agreement;
+mod chart {
+    mod fit;
+    mod table;
+}
 mod paper;
 mod stability;
 mod stored;
