@@ -4,6 +4,9 @@
 
 use std::io::Write;
 
+pub mod formats;
+pub mod motions;
+
 use topple::backend::backend_error::BackendError;
 use topple::backend::description::AdapterDescription;
 use topple::backend::gpu::adapter;

@@ -142,7 +142,7 @@ fn each_crate_leaves_out_what_is_of_others() {
     let command = ["anyhow", "clap", "ctrlc", "indicatif", "sysinfo"];
     let gpu = ["naga", "pollster", "wgpu"];
     let pictures = ["contour", "harfrust", "png", "skrifa", "tiny-skia"];
-    let page = ["axum", "tokio"];
+    let page = ["hyper", "tokio"];
     let holds = |tree: &[String], names: &[&str]| -> usize {
         names.iter().filter(|name| tree.iter().any(|known| known == *name)).count()
     };

@@ -1,12 +1,10 @@
 //! `topple completions` and `topple man`, made of the same definitions as the help.
 
-use std::io::Write;
-
 use clap::CommandFactory;
 use clap_complete::{Shell, generate};
 use clap_mangen::Man;
 
-use super::{Arguments, InputError, examples};
+use super::{Arguments, InputError, examples, print};
 
 /// Print the completions of a shell.
 #[derive(clap::Args)]
@@ -21,7 +19,8 @@ impl CompletionsCommand {
     pub fn run(&self) -> anyhow::Result<()> {
         let mut text = Vec::new();
         generate(self.shell, &mut Arguments::command(), "topple", &mut text);
-        print(&text)
+        print::text(String::from_utf8(text)?);
+        Ok(())
     }
 }
 
@@ -51,14 +50,7 @@ impl ManCommand {
         };
         let mut text = Vec::new();
         Man::new(page).render(&mut text)?;
-        print(&text)
-    }
-}
-
-/// Prints a text as it is. A reader that is gone wants no more.
-fn print(text: &[u8]) -> anyhow::Result<()> {
-    match std::io::stdout().write_all(text) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.into()),
-        _ => Ok(()),
+        print::text(String::from_utf8(text)?);
+        Ok(())
     }
 }

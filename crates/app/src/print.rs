@@ -1,14 +1,14 @@
 //! Lines on the terminal, in colour where it shows any. A reader that closes the pipe wants no more: nothing more is
 //! printed, and the run goes on, for its files are what it is for.
 
-use std::fmt::Arguments;
+use std::fmt::{Arguments, Display};
 use std::io::{self, Write};
-use std::sync::OnceLock;
 
-use anstream::{stderr, stdout};
 use anstyle::{AnsiColor, Style};
 
 use topple::scene::shown::is_hidden;
+
+use super::call::Call;
 
 /// Of names of lines.
 pub const NAME: Style = Style::new().bold();
@@ -29,15 +29,13 @@ macro_rules! print_line {
 }
 pub(crate) use print_line;
 
-/// Why the first line that could not be printed was not.
-static FAILED: OnceLock<io::Error> = OnceLock::new();
-
-/// Keeps why a line was not printed, unless it is that nobody reads it.
-fn keep(printed: io::Result<()>) {
-    match printed {
+/// Writes to stdout, and keeps why that failed, unless it is that nobody reads it.
+fn out(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) {
+    let call = Call::current();
+    match call.out(write) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
             // The first says enough.
-            let _ = FAILED.set(error);
+            let _ = call.failed.set(error);
         }
         _ => {}
     }
@@ -48,19 +46,25 @@ fn keep(printed: io::Result<()>) {
 /// # Errors
 /// Those of stdout at any line so far, but that nobody reads it.
 pub fn end() -> Result<(), String> {
-    keep(stdout().flush());
-    FAILED.get().map_or(Ok(()), |error| Err(format!("the standard output: {error}")))
+    out(|stdout| stdout.flush());
+    let failed = Call::current();
+    failed.failed.get().map_or(Ok(()), |error| Err(format!("the standard output: {error}")))
+}
+
+/// Prints a text as it is.
+pub fn text(text: impl Display) {
+    out(|stdout| write!(stdout, "{text}"));
 }
 
 /// Prints a line on stdout.
 pub fn line(text: Arguments) {
-    keep(writeln!(stdout(), "{}", shown(&text.to_string())));
+    out(|stdout| writeln!(stdout, "{}", shown(&text.to_string())));
 }
 
 /// Prints a line on stdout that begins with a name, in ten letters, and goes on in a style.
 pub fn named(name: &str, text: &str, style: Style) {
     let (name, text) = (shown(name), shown(text));
-    keep(writeln!(stdout(), "{NAME}{name:<10}{NAME:#} {style}{text}{style:#}"));
+    out(|stdout| writeln!(stdout, "{NAME}{name:<10}{NAME:#} {style}{text}{style:#}"));
 }
 
 /// Prints a line on stderr that begins with the program's name.
@@ -74,7 +78,8 @@ pub fn warning(text: &str) {
 }
 
 fn said(kind: &str, style: Style, text: &str) {
-    let _ = writeln!(stderr(), "{style}topple: {kind}{style:#}{}", shown(text));
+    let _ = Call::current()
+        .err(|stderr| writeln!(stderr, "{style}topple: {kind}{style:#}{}", shown(text)));
 }
 
 /// A text without what a terminal would obey and what nobody would see: names of files and lines of theirs may hold anything.

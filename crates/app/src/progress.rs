@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use topple::work::observer::{Observer, Phase};
 
+use super::call::Call;
 use super::interrupt;
 
 /// A phase that is over sooner shows no bar.
@@ -40,6 +41,7 @@ impl Bar {
     }
 
     fn styled(template: &str, total: usize, quiet: bool) -> Bar {
+        let quiet = quiet || !Call::current().has_bars();
         let bar = ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::hidden());
         // Templates are constants; a mistake in one would show as the library's default bar.
         if let Ok(style) = ProgressStyle::with_template(template) {
@@ -76,6 +78,7 @@ pub struct Screen {
 impl Screen {
     /// Shows nothing where it is to be quiet.
     pub fn new(quiet: bool) -> Screen {
+        let quiet = quiet || !Call::current().has_bars();
         Screen { quiet, bar: Mutex::new(Bar::new(0, true)) }
     }
 

@@ -1,13 +1,11 @@
 //! What is said about a run.
 
-use std::collections::BTreeSet;
 use std::fmt::Display;
-use std::sync::{Mutex, PoisonError};
 
 use anstyle::Style;
 
+use super::call::{Call, lock};
 use super::print::{self, NOTICE, PLAIN, RIGHT, WRONG};
-use crate::manifest::Timings;
 use topple::Written;
 use topple::backend::ready::Backend;
 use topple::backend::report::{Report, threads};
@@ -26,6 +24,7 @@ use topple::stepping::outcome::Class;
 use topple::sweep::repaired::Repair;
 use topple::sweep::verdict;
 use topple::sweep::verification::{Verdict, Verification};
+use topple_manifest::Timings;
 use topple_pictures::drawing::letters::Missing;
 use topple_pictures::drawing::share;
 use topple_studies::sharpness::{Estimate, Sharpness};
@@ -52,23 +51,18 @@ impl Reporter {
     }
 }
 
-/// What was warned of, for run.json.
-static WARNINGS: Mutex<Vec<String>> = Mutex::new(Vec::new());
-
 /// Says on stderr what the user should know though the run goes on.
 pub fn warn(text: impl Display) {
     let text = text.to_string();
     print::warning(&text);
-    WARNINGS.lock().unwrap_or_else(PoisonError::into_inner).push(text);
+    lock(&Call::current().warnings).push(text);
 }
-
-/// Letters that were warned of.
-static LETTERS: Mutex<BTreeSet<char>> = Mutex::new(BTreeSet::new());
 
 /// Warns of letters of a picture that no font has, once for all pictures of a run.
 pub fn warn_of_letters(missing: Option<Missing>) {
     let Some(missing) = missing else { return };
-    let mut said = LETTERS.lock().unwrap_or_else(PoisonError::into_inner);
+    let call = Call::current();
+    let mut said = lock(&call.letters);
     if !missing.letters.is_subset(&said) {
         said.extend(&missing.letters);
         warn(missing);
@@ -77,7 +71,7 @@ pub fn warn_of_letters(missing: Option<Missing>) {
 
 /// What the command has warned of until now.
 pub fn warnings() -> Vec<String> {
-    WARNINGS.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    lock(&Call::current().warnings).clone()
 }
 
 /// Settings that messages of the library name.

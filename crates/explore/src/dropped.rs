@@ -1,9 +1,9 @@
 //! Files that are dropped on the page: records, or a suite of them.
 
-use axum::body::{Bytes, to_bytes};
-use axum::extract::Request;
+use hyper::body::Bytes;
 use topple::scene::bounded;
 
+use super::answers::{Request, whole};
 use super::refused::Refused;
 use super::session::Session;
 use super::suites::{File, is_of_a_suite};
@@ -20,7 +20,7 @@ pub async fn files(request: Request) -> Result<Vec<File>, Refused> {
         let most = bounded::size(LARGEST as u64);
         Refused::told(format!("the files did not arrive whole; drop {most} at most at a time"))
     };
-    let body = to_bytes(request.into_body(), LARGEST).await.map_err(|_| unread())?;
+    let body = whole(request, LARGEST).await.ok_or_else(unread)?;
     match parts(body) {
         None => Err(unread()),
         Some(files) if files.is_empty() => {

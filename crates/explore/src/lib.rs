@@ -5,6 +5,7 @@
 //! ```
 
 pub mod about;
+pub mod answers;
 pub mod asked;
 pub(crate) mod body;
 pub(crate) mod cell;

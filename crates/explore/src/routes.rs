@@ -1,23 +1,20 @@
 //! From a request to what answers it.
 
+use std::convert::Infallible;
 use std::net::SocketAddr;
-use std::pin::Pin;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::task::{Context, Poll};
+use std::sync::atomic::AtomicBool;
 
-use axum::body::{Body, Bytes, to_bytes};
-use axum::extract::{Request, State};
-use axum::http::header::{
-    ALLOW, CACHE_CONTROL, CONTENT_SECURITY_POLICY, CONTENT_TYPE, HOST, ORIGIN, REFERRER_POLICY,
+use hyper::header::{
+    ALLOW, CACHE_CONTROL, CONTENT_SECURITY_POLICY, HOST, ORIGIN, REFERRER_POLICY,
     X_CONTENT_TYPE_OPTIONS,
 };
-use axum::http::{HeaderMap, HeaderName, Method, StatusCode};
-use axum::response::{IntoResponse, Response};
-use futures_core::Stream;
+use hyper::header::{HeaderMap, HeaderName, HeaderValue};
+use hyper::{Method, StatusCode};
 use serde_json::json;
 use tokio::sync::mpsc;
 
+use super::answers::{Asker, Frames, Request, Response, bytes, of_frames, plain, whole};
 use super::body::read;
 use super::frame::frame;
 use super::guard::{Credentials, Refusal, Token, let_in};
@@ -31,6 +28,7 @@ const MARK: HeaderName = HeaderName::from_static("x-topple");
 /// What it says in an answer: a request that is refused. A browser would tell any status of an error in its console, as if the page
 /// were broken.
 const REFUSED: &str = "refused";
+const JSON: &str = "application/json";
 const SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 /// Bytes of a request without files at most.
 const LARGEST: usize = 1 << 20;
@@ -49,30 +47,6 @@ pub struct Shared {
     pub at: SocketAddr,
     /// What it has.
     pub session: Arc<Session>,
-}
-
-/// Ends work when the one who asked for it is gone.
-struct Asker(Arc<AtomicBool>);
-
-impl Drop for Asker {
-    fn drop(&mut self) {
-        self.0.store(true, Ordering::Relaxed);
-    }
-}
-
-/// Frames on their way to a page.
-struct Frames {
-    receive: mpsc::Receiver<Vec<u8>>,
-    /// A page that goes ends the work.
-    _asker: Asker,
-}
-
-impl Stream for Frames {
-    type Item = Result<Bytes, std::convert::Infallible>;
-
-    fn poll_next(mut self: Pin<&mut Self>, context: &mut Context) -> Poll<Option<Self::Item>> {
-        self.receive.poll_recv(context).map(|frame| frame.map(|bytes| Ok(Bytes::from(bytes))))
-    }
 }
 
 /// A header that stands once at most; `Some(None)` where it is not there, none where it stands twice or is no text.
@@ -100,10 +74,13 @@ fn allowed(shared: &Shared, request: &Request) -> Result<String, Refusal> {
 }
 
 /// Answers a request.
-pub async fn answer(State(shared): State<Arc<Shared>>, request: Request) -> Response {
+///
+/// # Errors
+/// None: a refusal is an answer, too.
+pub async fn answer(shared: Arc<Shared>, request: Request) -> Result<Response, Infallible> {
     let path = allowed(&shared, &request);
     let mut response = match path {
-        Err(refusal) => (StatusCode::FORBIDDEN, refusal.line(shared.at.port())).into_response(),
+        Err(refusal) => plain(StatusCode::FORBIDDEN, refusal.line(shared.at.port())),
         Ok(path) => inner(&shared, &path, request).await,
     };
     for (name, value) in [
@@ -113,11 +90,9 @@ pub async fn answer(State(shared): State<Arc<Shared>>, request: Request) -> Resp
         // The page belongs to this binary, and goes with it.
         (CACHE_CONTROL, "no-store"),
     ] {
-        if let Ok(value) = value.parse() {
-            response.headers_mut().insert(name, value);
-        }
+        response.headers_mut().insert(name, HeaderValue::from_static(value));
     }
-    response
+    Ok(response)
 }
 
 /// Answers a request that is let in.
@@ -131,13 +106,13 @@ async fn inner(shared: &Arc<Shared>, path: &str, request: Request) -> Response {
             posted(session, path, request).await.unwrap_or_else(refused)
         }
         (method, path) => match page::served(path) {
-            Some((kind, bytes)) if matches!(*method, Method::GET | Method::HEAD) => {
-                ([(CONTENT_TYPE, kind)], bytes).into_response()
+            Some((kind, contents)) if matches!(*method, Method::GET | Method::HEAD) => {
+                bytes(kind, contents)
             }
             Some(_) => only_by("GET, HEAD"),
             None if path == "about" => only_by("GET, HEAD"),
             None if POSTED.contains(&path) => only_by("POST"),
-            None => (StatusCode::NOT_FOUND, "there is no such file or request\n").into_response(),
+            None => plain(StatusCode::NOT_FOUND, "there is no such file or request\n"),
         },
     }
 }
@@ -145,7 +120,9 @@ async fn inner(shared: &Arc<Shared>, path: &str, request: Request) -> Response {
 /// What a path is asked by, to a request by another method.
 fn only_by(methods: &'static str) -> Response {
     let line = format!("ask by {}\n", methods.replace(", ", " or "));
-    (StatusCode::METHOD_NOT_ALLOWED, [(ALLOW, methods)], line).into_response()
+    let mut response = plain(StatusCode::METHOD_NOT_ALLOWED, line);
+    response.headers_mut().insert(ALLOW, HeaderValue::from_static(methods));
+    response
 }
 
 /// Answers a request that has a body: files, or JSON.
@@ -155,8 +132,7 @@ async fn posted(session: Arc<Session>, path: &str, request: Request) -> Result<R
         let files = dropped::files(request).await?;
         return run(move |_| act(&session, &files)).await;
     }
-    let body = to_bytes(request.into_body(), LARGEST).await;
-    let body = body.map_err(|_| {
+    let body = whole(request, LARGEST).await.ok_or_else(|| {
         Refused::told(format!("the request did not arrive whole; send {LARGEST} bytes at most"))
     })?;
     match path {
@@ -179,10 +155,10 @@ async fn posted(session: Arc<Session>, path: &str, request: Request) -> Result<R
         }
         "save" => {
             let asked = read(&body)?;
-            let (bytes, kind) = work(move |stop| save::run(&session, &asked, stop)).await?;
-            Ok(([(CONTENT_TYPE, kind)], bytes).into_response())
+            let (contents, kind) = work(move |stop| save::run(&session, &asked, stop)).await?;
+            Ok(bytes(kind, contents))
         }
-        _ => Ok((StatusCode::NOT_FOUND, "there is no such request\n").into_response()),
+        _ => Ok(plain(StatusCode::NOT_FOUND, "there is no such request\n")),
     }
 }
 
@@ -202,13 +178,15 @@ async fn run(
     act: impl FnOnce(&AtomicBool) -> Result<String, Refused> + Send + 'static,
 ) -> Result<Response, Refused> {
     let text = work(act).await?;
-    Ok(([(CONTENT_TYPE, "application/json")], text).into_response())
+    Ok(bytes(JSON, text))
 }
 
 /// An error as the page reads it.
 fn refused(error: Refused) -> Response {
     let text = serde_json::to_string(&error).unwrap_or_default();
-    ([(CONTENT_TYPE, "application/json"), (MARK, REFUSED)], text).into_response()
+    let mut response = bytes(JSON, text);
+    response.headers_mut().insert(MARK, HeaderValue::from_static(REFUSED));
+    response
 }
 
 /// Computes a view; its frames are sent as they are made.
@@ -216,9 +194,9 @@ fn map(session: Arc<Session>, asked: ViewRequest) -> Response {
     let (send, receive) = mpsc::channel(WAITING);
     let Some(stop) = session.begin(&asked.tab, asked.view) else {
         // A newer view has begun: nobody waits for this one.
-        return Body::empty().into_response();
+        return plain(StatusCode::OK, "");
     };
-    let frames = Frames { receive, _asker: Asker(Arc::clone(&stop)) };
+    let frames = Frames::new(receive, Asker(Arc::clone(&stop)));
     tokio::task::spawn_blocking(move || {
         let take = |frame| send.blocking_send(frame).is_ok();
         // A word that finds no room is followed by a newer one.
@@ -235,5 +213,5 @@ fn map(session: Arc<Session>, asked: ViewRequest) -> Response {
             let _ = send.blocking_send(frame(json!({ "error": error }), &[]));
         }
     });
-    ([(CONTENT_TYPE, "application/octet-stream")], Body::from_stream(frames)).into_response()
+    of_frames(frames)
 }

@@ -5,7 +5,9 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::Duration;
 
-use axum::Router;
+use hyper::server::conn::http1;
+use hyper::service::service_fn;
+use hyper_util::rt::TokioIo;
 
 use super::ending;
 use super::guard::{NoToken, Token};
@@ -68,7 +70,6 @@ impl Server {
         let session = Arc::new(session);
         let Server { listener, at, token } = self;
         let shared = Arc::new(Shared { token, at, session: Arc::clone(&session) });
-        let router = Router::new().fallback(answer).with_state(shared);
         let runtime = tokio::runtime::Builder::new_multi_thread()
             .worker_threads(2)
             .enable_io()
@@ -76,22 +77,31 @@ impl Server {
             .build()?;
         let served = runtime.block_on(async {
             let listener = tokio::net::TcpListener::from_std(listener)?;
-            let served = tokio::spawn(async move { axum::serve(listener, router).await });
+            let accepting = tokio::spawn(accept(listener, shared));
             let told = ending::listen()?;
-            while !ended() && !told.load(Ordering::Relaxed) && !served.is_finished() {
+            while !ended() && !told.load(Ordering::Relaxed) {
                 tokio::time::sleep(ASKED).await;
             }
-            match served.is_finished() {
-                true => served.await.unwrap_or_else(|error| Err(std::io::Error::other(error))),
-                false => {
-                    served.abort();
-                    Ok(())
-                }
-            }
+            accepting.abort();
+            Ok(())
         });
         session.stop();
         runtime.shutdown_timeout(LAST);
         session.records.forget();
-        Ok(served?)
+        served
+    }
+}
+
+/// Answers each connection on a task of its own. A connection that breaks off ends its task alone; where the system has no
+/// more sockets, it may have some again later.
+async fn accept(listener: tokio::net::TcpListener, shared: Arc<Shared>) {
+    loop {
+        let Ok((stream, _)) = listener.accept().await else {
+            tokio::time::sleep(ASKED).await;
+            continue;
+        };
+        let shared = Arc::clone(&shared);
+        let service = service_fn(move |request| answer(Arc::clone(&shared), request));
+        tokio::spawn(http1::Builder::new().serve_connection(TokioIo::new(stream), service));
     }
 }

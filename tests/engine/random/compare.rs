@@ -159,8 +159,8 @@ pub fn compare(got: &Outcome, truth: &Truth, precision: Precision, shortcuts: bo
         return of;
     }
     let values = [described(got), described(want)];
-    let ragged = || if same { None } else { truth.ragged(precision) };
-    if let Some(disturbance) = truth.undecided(precision).or_else(ragged) {
+    let beside = || if same { None } else { truth.beside(precision, got.class) };
+    if let Some(disturbance) = truth.undecided(precision).or_else(beside) {
         of.undecided = (!same).then_some((disturbance, values));
         of.excused = same.then_some("columns of an undecided outcome");
         return of;

@@ -14,7 +14,7 @@ pub struct Dice(Pcg64Mcg);
 
 impl Dice {
     /// Those of a scene; the first numbers of neighbouring seeds are alike and are thrown away.
-    fn of(seed: u64, number: u64) -> Dice {
+    pub fn of(seed: u64, number: u64) -> Dice {
         let mut dice = Pcg64Mcg::new((u128::from(seed) << 64) | u128::from(2 * number + 1));
         for _ in 0..16 {
             dice.next_u64();

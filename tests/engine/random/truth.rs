@@ -2,12 +2,15 @@
 
 use std::sync::OnceLock;
 
+use rayon::prelude::*;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::model::precision::Precision;
 use topple::scene::{Case, Excitation, GRAVITY, Grid, Scene, Shaking};
-use topple::stepping::outcome::Outcome;
+use topple::stepping::outcome::{Class, Outcome};
 use topple::stepping::reference::system::System;
 use topple::stepping::reference::{self, Settings, Switch};
+
+use super::scenes::Dice;
 
 /// Columns that are numbers: names, and values.
 pub const NUMBERS: [&str; 16] = [
@@ -104,8 +107,9 @@ fn settings() -> Settings {
     Settings { most_steps: 300_000, ..Settings::default() }
 }
 
-/// Shares of the most disturbance.
-const SHARES: [f64; 6] = [0.875, 0.75, 0.5, 0.375, 0.25, 0.125];
+/// Neighbours of a cell that are asked where a sweep has another outcome. One of a hundred with the sweep's outcome is
+/// found with a probability of 0.92.
+const NEIGHBOURS: usize = 256;
 
 /// A cell by the reference.
 pub struct Truth {
@@ -120,28 +124,24 @@ pub struct Truth {
     pub shortest_flight: f64,
 }
 
-/// The cell's numbers a little different: 0 and 1 the push, 2 and 3 the width.
-fn moved(case: &Case, way: usize, by: f64) -> Case {
-    let change = if way.is_multiple_of(2) { 1.0 + by } else { 1.0 - by };
+/// The cell with its push and its width moved by these shares of themselves.
+fn moved(case: &Case, push: f64, width: f64) -> Case {
     let mut case = *case;
-    if way >= 2 {
-        case.block.half_width *= change;
-        return case;
-    }
+    case.block.half_width *= 1.0 + width;
     match &mut case.shaking {
         Shaking::Pulse(pulse) => {
-            pulse.a_h *= change;
-            pulse.a_v *= change;
+            pulse.a_h *= 1.0 + push;
+            pulse.a_v *= 1.0 + push;
         }
         Shaking::Record { factor, pga_h, pga_v } => {
             for number in [factor, pga_h, pga_v] {
-                *number *= change;
+                *number *= 1.0 + push;
             }
         }
     }
     // (21).
     if let Some(law) = &mut case.isolation.horizontal {
-        law.u_y *= change;
+        law.u_y *= 1.0 + push;
     }
     case
 }
@@ -192,11 +192,9 @@ impl Truth {
                 let settings = Settings { rest_speed, ..settings() };
                 reference::run(&self.scene, &self.case, &settings)
             }));
-            others.extend(
-                (0..4).map(|way| {
-                    reference::run(&self.scene, &moved(&self.case, way, by), &settings())
-                }),
-            );
+            others.extend([(by, 0.0), (-by, 0.0), (0.0, by), (0.0, -by)].map(|(push, width)| {
+                reference::run(&self.scene, &moved(&self.case, push, width), &settings())
+            }));
             let mut spread =
                 Spread { undecided: false, numbers: [0.0; NUMBERS.len()], counts: false };
             let here = numbers(&self.cell);
@@ -234,16 +232,19 @@ impl Truth {
         sizes.find(|size| self.spread(*size).undecided)
     }
 
-    /// The same by more disturbances up to that most: a boundary of outcomes can be so ragged that the four of each size
-    /// meet the cell's outcome only.
-    pub fn ragged(&self, precision: Precision) -> Option<Disturbance> {
+    /// The most disturbance, if a cell moved by no more than it has the outcome of the sweep. A motion of some forty
+    /// impacts has pockets of other outcomes of all sizes beside it, which the four of each size can miss: the sizes of
+    /// the neighbours are even in their logarithm.
+    pub fn beside(&self, precision: Precision, class: Class) -> Option<Disturbance> {
         let most = Disturbance::most(precision);
-        let parts = |share: &f64| {
-            (0..4).any(|way| {
-                let case = moved(&self.case, way, share * most.size());
-                reference::run(&self.scene, &case, &settings()).class != self.cell.class
-            })
-        };
-        SHARES.iter().any(parts).then_some(most)
+        let mut dice = Dice::of(0, 0);
+        let mut part = |size: f64| size * (2.0 * dice.unit() - 1.0);
+        let neighbours = (0..NEIGHBOURS).map(|index| {
+            let size = most.size() * 1.0e-3_f64.powf(index as f64 / NEIGHBOURS as f64);
+            moved(&self.case, part(size), part(size))
+        });
+        let cases: Vec<Case> = neighbours.collect();
+        let has = |case: &Case| reference::run(&self.scene, case, &settings()).class == class;
+        cases.par_iter().any(has).then_some(most)
     }
 }

@@ -31,7 +31,11 @@ const PULSE: [&str; 11] = [
 /// A small map in a fresh directory.
 fn small_map(extra: &[&str]) -> (TempDir, String) {
     let out = TempDir::new().unwrap();
-    let run = topple()
+    let mut command = topple();
+    if extra.contains(&"--threads") {
+        command.apart();
+    }
+    let run = command
         .args(PULSE)
         .args(["--omega", "3:12:7", "--a-h", "1:12:9"])
         .args(extra)

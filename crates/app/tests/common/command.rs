@@ -1,27 +1,53 @@
-//! The command as a process: its arguments, where it runs, and what it ended with.
+//! The command, in this process where nothing asks for one of its own: its arguments, where it runs, and what it ended
+//! with.
 
 use std::ffi::OsStr;
 use std::fmt::Debug;
+use std::io::Write;
+use std::iter;
+#[cfg(unix)]
+use std::os::unix::process::ExitStatusExt;
+#[cfg(windows)]
+use std::os::windows::process::ExitStatusExt;
 use std::path::Path;
-use std::process::{Child, Output, Stdio};
+use std::process::{Child, ExitStatus, Output, Stdio};
+use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
+
+use topple_app::Streams;
 
 /// The built program.
 pub fn program() -> &'static Path {
     Path::new(env!("CARGO_BIN_EXE_topple"))
 }
 
+/// What a stream was given.
+#[derive(Clone, Default)]
+struct Kept(Arc<Mutex<Vec<u8>>>);
+
+impl Write for Kept {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.0.lock().unwrap().write(bytes)
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
 /// A run of `topple` that is prepared.
 pub struct Command {
     process: std::process::Command,
+    /// It needs a process of its own.
+    apart: bool,
     longest: Option<Duration>,
 }
 
 impl Command {
     pub fn topple() -> Command {
         let process = std::process::Command::new(program());
-        Command { process, longest: None }
+        Command { process, apart: false, longest: None }
     }
 
     pub fn arg(&mut self, argument: impl AsRef<OsStr>) -> &mut Command {
@@ -38,34 +64,60 @@ impl Command {
     }
 
     pub fn env(&mut self, name: impl AsRef<OsStr>, value: impl AsRef<OsStr>) -> &mut Command {
+        self.apart = true;
         self.process.env(name, value);
         self
     }
 
     pub fn env_remove(&mut self, name: impl AsRef<OsStr>) -> &mut Command {
+        self.apart = true;
         self.process.env_remove(name);
         self
     }
 
     pub fn current_dir(&mut self, directory: impl AsRef<Path>) -> &mut Command {
+        self.apart = true;
         self.process.current_dir(directory);
+        self
+    }
+
+    /// Runs it in a process of its own: it sets what a process has once.
+    pub fn apart(&mut self) -> &mut Command {
+        self.apart = true;
         self
     }
 
     /// A run that takes longer is ended, and the test with it.
     pub fn timeout(&mut self, longest: Duration) -> &mut Command {
+        self.apart = true;
         self.longest = Some(longest);
         self
     }
 
     /// Runs the command to its end.
     pub fn output(&mut self) -> std::io::Result<Output> {
+        if !self.apart {
+            return Ok(self.here());
+        }
         let pipes = self.process.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let child = pipes.spawn()?;
         match self.longest {
             None => child.wait_with_output(),
             Some(longest) => within(child, longest),
         }
+    }
+
+    fn here(&self) -> Output {
+        let words = iter::once(program().as_os_str()).chain(self.process.get_args());
+        let [out, err] = [(); 2].map(|()| Kept::default());
+        let streams = Streams::plain(out.clone(), err.clone());
+        let code = topple_app::run(words.map(Into::into), streams);
+        #[cfg(unix)]
+        let code = i32::from(code) << 8;
+        #[cfg(windows)]
+        let code = u32::from(code);
+        let [stdout, stderr] = [out, err].map(|kept| kept.0.lock().unwrap().clone());
+        Output { status: ExitStatus::from_raw(code), stdout, stderr }
     }
 
     /// The same, for the test to say how it must have ended.

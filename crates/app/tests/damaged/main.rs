@@ -14,7 +14,7 @@ mod damage;
 mod made;
 mod memory;
 #[allow(dead_code)]
-#[path = "../app/motions.rs"]
+#[path = "../../../../tests/common/motions.rs"]
 mod motions;
 mod readers;
 mod records;
@@ -22,25 +22,6 @@ mod results;
 mod run;
 mod scenes;
 mod suites;
-
-/// The reader of run.json and of maps' files belongs to the command: here it is a part of the test.
-#[allow(dead_code)]
-#[path = "../../src/earlier_run.rs"]
-mod earlier_run;
-#[allow(dead_code)]
-#[path = "../../src/history_table.rs"]
-mod history_table;
-#[allow(dead_code)]
-#[path = "../../src/map_file.rs"]
-mod map_file;
-#[path = "../../src/number_text.rs"]
-mod number_text;
-#[allow(dead_code)]
-#[path = "../../src/picture_flags.rs"]
-mod picture_flags;
-#[allow(dead_code)]
-#[path = "../../src/written.rs"]
-mod written;
 
 #[test]
 fn any_damaged_file_is_read_or_refused_in_one_line() {

@@ -17,11 +17,13 @@ use topple::{
     BackendRequest, Column, Job, Outcome, Precision, RunSettings, Saving, Scene, SceneBuilder,
     Unwatched, VerifySettings, sweep,
 };
+use topple_app::earlier_run;
 use topple_studies::fragility::hazard_text;
 use topple_studies::{Intensity, Lognormal};
 
 use crate::records::AT2;
-use crate::{earlier_run, scenes};
+
+use crate::scenes;
 
 /// A folder with a record, which scenes lead to.
 static RECORDS: LazyLock<TempDir> = LazyLock::new(|| {

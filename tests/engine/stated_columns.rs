@@ -1,14 +1,11 @@
 //! Plain columns, and what their headings and comments state: units, times, directions, steps and counts.
 
-use std::fs;
 use std::path::Path;
 
-use crate::common::command::Command;
 use approx::assert_abs_diff_eq;
-use tempfile::TempDir;
 use topple::scene::record::{Component, Record, RecordFile, RecordHints, Units, joined, read};
 
-use crate::motions::Motion;
+use crate::common::motions::Motion;
 
 /// Accelerations of 3.5 m/s^2 at most, in units of `factor` m/s^2.
 fn values(factor: f64) -> Vec<String> {
@@ -221,35 +218,4 @@ fn a_heading_may_stand_below_a_count() {
             .unwrap_err()
             .contains("looks like the count")
     );
-}
-
-/// What is decided of a record is printed, of a single motion as of a map.
-#[test]
-fn a_history_says_what_was_made_of_a_sign() {
-    let place = TempDir::new().unwrap();
-    let file = |name: &str, heading: &str, factor: f64| {
-        let row = |(k, a): (usize, &String)| format!("{:.2} {a}\n", 0.01 * k as f64);
-        let rows: String = values(factor).iter().enumerate().map(row).collect();
-        fs::write(place.path().join(name), format!("{heading}\n{rows}")).unwrap();
-    };
-    file("h.txt", "Time (s) NS (m/s2)", 1.0);
-    let run = |heading: &str, force: &[&str]| {
-        file("v.txt", &format!("{heading}\nTime (s) UD (m/s2)"), 2.0);
-        let cell = ["history", "--object", "1", "--t-h", "1", "--t-v", "0.5", "--out", "out"];
-        let files = ["--horizontal", "h.txt", "--vertical", "v.txt"];
-        let mut command = Command::topple();
-        command.current_dir(place.path()).args(cell).args(files).args(force).assert()
-    };
-    let words = |text: &[u8]| {
-        String::from_utf8_lossy(text).split_whitespace().collect::<Vec<_>>().join(" ")
-    };
-    let told = words(&run("# positive north, east, down", &[]).success().get_output().stdout);
-    assert!(told.contains("vertical: positive down by its file: turned over"), "{told}");
-    let told = words(&run("# polarity: reversed", &[]).code(2).get_output().stderr);
-    assert!(
-        told.contains("v.txt: line 1: 'polarity: reversed' may tell a sign or a factor"),
-        "{told}"
-    );
-    assert!(told.ends_with("--force accepts it"), "{told}");
-    run("# polarity: reversed", &["--force"]).success();
 }

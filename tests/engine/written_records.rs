@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use topple::scene::record::{Component, Pair, Record, RecordFile, Units, joined};
 use topple::scene::record::{RecordHints, read};
 
-use crate::motions::{Motion, Written};
+use crate::common::motions::{Motion, Written};
 
 fn hints(needs: (bool, bool), units: Units) -> RecordHints {
     RecordHints {

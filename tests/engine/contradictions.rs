@@ -2,7 +2,7 @@
 
 use topple::scene::record::{Component, Record, RecordHints, read};
 
-use crate::motions::Motion;
+use crate::common::motions::Motion;
 
 fn of(text: &str) -> Result<Record, String> {
     read::bytes(text.as_bytes(), &RecordHints::default()).map_err(|error| error.to_string())
