@@ -339,6 +339,22 @@ fn a_fragility_begins_in_short_and_shows_its_hazard() {
     }
 }
 
+#[test]
+fn a_report_counts_the_motions_whose_baseline_was_changed() {
+    let (place, records) = suite();
+    for (out, baseline, is_told) in [("plain", "none", false), ("line", "line", true)] {
+        let line = format!(
+            "envelope --object 1 --t-h 1.2 --t-v 0.4 --u-y 0.01 --backend cpu --verify none --baseline {baseline} --out {out}"
+        );
+        let arguments = line.split(' ').chain(["--suite", &records]);
+        topple(&place, &arguments.collect::<Vec<_>>()).success();
+        topple(&place, &["report", out, "--out", "report.html"]).success();
+        let page = read(&place.path().join("report.html"));
+        assert_eq!(page.contains("a straight line was subtracted"), is_told, "{page}");
+        fs::remove_file(place.path().join("report.html")).unwrap();
+    }
+}
+
 /// Both commands name a motion once, and say that it is taken in both directions.
 #[test]
 fn a_motion_in_both_directions_is_named_once_by_every_command() {
