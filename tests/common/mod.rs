@@ -6,6 +6,7 @@ use std::io::Write;
 
 pub mod formats;
 pub mod motions;
+pub mod suites;
 
 use topple::backend::backend_error::BackendError;
 use topple::backend::description::AdapterDescription;

@@ -179,3 +179,39 @@ fn any_scene_is_refused_or_runs() {
     let (refused, ran) = (refused.get(), ran.get());
     assert!(refused > SCENES / 4 && ran > SCENES / 10, "{refused} {ran}");
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// Any text is a scene or an error, never a panic.
+    #[test]
+    fn any_scene_text_is_read_or_refused(text in "(?s).{0,200}") {
+        if let Ok(scene) = SceneBuilder::from_toml(&text) {
+            let _ = scene.check();
+        }
+    }
+
+    /// Any numbers in a scene make a scene or an error, and a scene can be planned or is refused.
+    #[test]
+    fn any_numbers_are_checked(
+        numbers in prop::collection::vec(prop_oneof![
+            any::<f64>(), -2.0..2.0_f64, 0.0..40.0_f64, Just(0.0), Just(1.0)
+        ], 9),
+        count in 0..50_u32,
+    ) {
+        let n = |i: usize| match numbers[i] {
+            x if x.is_nan() => "nan".to_string(),
+            x if x.is_infinite() => "inf".to_string(),
+            x => format!("{x:?}"),
+        };
+        let text = format!(
+            "[block]\nhalf_width = {}\nheight = {}\neccentricity = {}\n[base]\nt_h = {}\nt_v = {}\n\
+             [pulse]\nomega = \"{}:{}:{count}\"\na_h = {}\n[run]\nt_max = {}\n",
+            n(0), n(1), n(2), n(3), n(4), n(5), n(6), n(7), n(8)
+        );
+        let scene = SceneBuilder::from_toml(&text);
+        if let Some(scene) = scene.ok().and_then(|scene| scene.check().ok()) {
+            let _ = Plan::new(&scene, 0.004);
+        }
+    }
+}
