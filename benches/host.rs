@@ -74,7 +74,8 @@ fn measure<R: Real>(name: &str, precision: Precision, scene: &Scene, gpu: Option
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap().at(precision);
     let grid = Grid::of(scene);
     let all: Vec<usize> = (0..grid.len()).collect();
-    let cells = Cells::<R>::of(&plan, &grid, &all, &plan.record(), &Unwatched);
+    let record = plan.record();
+    let cells = Cells::<R>::of(&plan, &grid, &all, &record, &Unwatched);
     let tables = each(all.len(), || {
         black_box(CellTables::<R>::of(&plan, &grid, &all));
     });

@@ -15,7 +15,7 @@ struct Steps {
 }
 
 @group(0) @binding(1) var<storage, read_write> new_cells: array<Cell>;
-// The tables of the groups that have only reals.
+// The samples of the record, and the tables of the groups that have only reals.
 @group(0) @binding(9) var<storage, read> numbers: array<real>;
 @group(0) @binding(10) var<storage, read> clocks: array<Steps>;
 

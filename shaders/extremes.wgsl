@@ -57,12 +57,6 @@ fn end_slopes(start: real, mid: real, end: real) -> EndSlopes {
     return EndSlopes(4.0 * mid - 3.0 * start - end, 3.0 * end - 4.0 * mid + start);
 }
 
-// The parabola through a span's start, middle and end, at a fraction of the way.
-fn parabola(start: real, mid: real, end: real, at: real) -> real {
-    let slope = end_slopes(start, mid, end);
-    return start + at * (slope.rise + at * 0.5 * (slope.fall - slope.rise));
-}
-
 // The extremum of the parabola through a span's start, middle and end, where it lies inside; else the
 // start.
 fn crest(start: real, mid: real, end: real) -> real {

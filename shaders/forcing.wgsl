@@ -23,7 +23,7 @@ fn step_length(cell: Cell, forcing: Forcing) -> real {
     return select(cell.step_free, cell.step_forced, forcing.forced);
 }
 
-// Samples of the record.
+// Samples of the record; the tables of numbers follow, which the kernel that makes cells reads.
 @group(0) @binding(5) var<storage, read> record: array<Ground>;
 
 // The acceleration of the ground at a fraction of the step: the pulse (22), or the record, linear between its
@@ -46,6 +46,18 @@ fn ground_at(cell: Cell, forcing: Forcing, fraction: real) -> Ground {
 
 // The segment in which a cell is after `step` steps, fewer than it has in all.
 fn begin_segment(cell: Cell, step: u32) -> Forcing {
+    var before: Ground;
+    var after: Ground;
+    if recorded && step < cell.steps_forced {
+        let sample = step / cell.substeps;
+        before = record[sample];
+        after = record[sample + 1u];
+    }
+    return segment(cell, step, before, after);
+}
+
+// The same with the samples of the record at the start and at the end of the gap.
+fn segment(cell: Cell, step: u32, before: Ground, after: Ground) -> Forcing {
     let zero: real = 0.0;
     let none = Ground(zero, zero);
     let amplitude = Ground(cell.amplitude_h, cell.amplitude_v);
@@ -55,8 +67,6 @@ fn begin_segment(cell: Cell, step: u32) -> Forcing {
     }
     if recorded {
         let sample = step / cell.substeps;
-        let before = record[sample];
-        let after = record[sample + 1u];
         let start = Ground(amplitude.h * before.h, amplitude.v * before.v);
         let rise = Ground(
             amplitude.h * (after.h - before.h),

@@ -16,13 +16,11 @@ const UPPER_SO_FAR = 7u;
 const MINUS_LOWER_SO_FAR = 8u;
 const MAGNITUDE_SO_FAR = 9u;
 const MAGNITUDE = 10u;
-const QUARTERS_H = 11u;
 // Of v; from LEAST_SO_FAR on likewise.
 const BOTTOM = 5u;
 const LOWER_SO_FAR = 6u;
 const LEAST_SO_FAR = 7u;
 const LEAST = 8u;
-const EIGHTHS_V = 9u;
 
 // The gap of v that corresponds to a gap of u: the last one where the motion of v is shorter.
 fn gap_of_v(gap: u32, last_v: u32) -> u32 {
@@ -96,7 +94,8 @@ struct MotionPair {
 }
 
 // The largest friction demand before a sample, if one is known.
-fn friction_before(pair: MotionPair, size: real, sample: u32, known: real) -> real {
+fn friction_before(pair: MotionPair, cell: Cell, scale: real, sample: u32, known: real) -> real {
+    let size = abs(scale);
     if !forces || sample == 0u {
         return known;
     }
@@ -107,7 +106,7 @@ fn friction_before(pair: MotionPair, size: real, sample: u32, known: real) -> re
         return select(zero, size * magnitude / y, y > 0.0);
     }
     let friction = at_samples(pair.h, pair.v, pair.last_v, size, sample, known);
-    return crests(pair.h, pair.v, pair.last_v, size, sample, friction);
+    return crests(pair, cell, scale, sample, friction);
 }
 
 // The motion at a sample, and the largest displacements up to it.
@@ -171,7 +170,7 @@ fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, Stat
         (*state).friction = most;
         (*state).min_contact = -most;
         if is_final(cell, *state) {
-            friction = friction_before(pair, abs(scale), tried, friction);
+            friction = friction_before(pair, cell, scale, tried, friction);
             meet_forces(pair, tried, friction, state);
             if is_final(cell, *state) {
                 (*state).step = tried;
@@ -181,7 +180,7 @@ fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, Stat
         }
         tried += STEPS_A_TRY;
     }
-    friction = friction_before(pair, abs(scale), sample, friction);
+    friction = friction_before(pair, cell, scale, sample, friction);
     move_to(pair, scale, sample, state);
     meet_forces(pair, sample, friction, state);
     (*state).step = sample * cell.substeps;

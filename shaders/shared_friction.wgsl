@@ -24,94 +24,57 @@ fn at_samples(h: u32, v: u32, last_v: u32, size: real, sample: u32, known: real)
 // The share of the friction demand by which a gap must exceed it to be searched.
 const OVER = 2.0e-4;
 
-struct Dip {
-    least: real,
-    at: real,
-}
-
-// The least of the parabola through three values evenly apart, and at what fraction of the way.
-fn dip(start: real, mid: real, end: real) -> Dip {
-    let zero: real = 0.0;
-    let one: real = 1.0;
-    let slope = end_slopes(start, mid, end);
-    var at = select(zero, one, end < start);
-    if slope.rise < 0.0 && slope.fall > 0.0 {
-        at = slope.rise / (slope.rise - slope.fall);
-    }
-    return Dip(parabola(start, mid, end, at), at);
-}
-
 // The friction demand up to a sample, crests between samples included. Where the largest |X| of a gap over its least
-// Y exceeds the largest demand so far, the demand is searched for on parabolas through eighths of the gap and at the
-// least Y, backwards as at the samples. The least Y is known; the parabolas tell its time.
-fn crests(h: u32, v: u32, last_v: u32, size: real, sample: u32, friction_before: real) -> real {
-    let zero: real = 0.0;
-    let early: real = 0.25;
-    let late: real = 0.75;
+// Y exceeds the largest demand so far, the demand is searched for within the gap, backwards as at the samples.
+fn crests(pair: MotionPair, cell: Cell, scale: real, sample: u32, friction_before: real) -> real {
     let over: real = 1.0 + OVER;
+    let size = abs(scale);
     let all_h = tile.across.more;
     let all_v = tile.up.more;
     var friction = friction_before;
     for (var before = sample; before > 0u; before--) {
         let gap = before - 1u;
-        let at = h + gap;
-        let at_v = v + gap_of_v(gap, last_v);
+        let at = pair.h + gap;
         let magnitude = motions[at + MAGNITUDE * all_h];
-        let least_y = motions[at_v + LEAST * all_v];
-        let least_so_far = motions[v + min(before, last_v) + LEAST_SO_FAR * all_v];
+        let least_y = motions[pair.v + gap_of_v(gap, pair.last_v) + LEAST * all_v];
+        let least_so_far = motions[pair.v + min(before, pair.last_v) + LEAST_SO_FAR * all_v];
         if over * friction * least_so_far >= size * motions[at + MAGNITUDE_SO_FAR * all_h] {
             break;
         }
-        if !(size * magnitude > over * friction * least_y) {
-            continue;
+        if size * magnitude > over * friction * least_y {
+            friction = within_gap(pair, cell, scale, gap, friction);
         }
-        let next = at + 1u + ACCELERATION * all_h;
-        let next_v = at_v + 1u + ACCELERATION * all_v;
-        let quarter = at + QUARTERS_H * all_h;
-        let eighth = at_v + EIGHTHS_V * all_v;
-        // Of spans of two eighths each: the largest share, and |X| at the least Y.
-        var ends = zero;
-        var top = zero;
-        var least = motions[next_v - 1u];
-        var x_there = motions[next - 1u];
-        var x0 = x_there;
-        var y0 = least;
-        for (var span = 0u; span < 4u; span++) {
-            // The parabola of X through that half of the gap in which the span lies.
-            let middle = motions[quarter + all_h];
-            let first_half = span < 2u;
-            let start_h = select(middle, motions[next - 1u], first_half);
-            let mid_h = motions[quarter + select(2u, 0u, first_half) * all_h];
-            let end_h = select(motions[next], middle, first_half);
-            let at_h = select(late, early, span % 2u == 0u);
-            let x1 = parabola(start_h, mid_h, end_h, at_h);
-            let x2 = select(end_h, mid_h, span % 2u == 0u);
-            let y1 = motions[eighth + 2u * span * all_v];
-            var y2 = motions[next_v];
-            if span < 3u {
-                y2 = motions[eighth + (2u * span + 1u) * all_v];
-            }
-            let start = size * share(abs(x0), y0);
-            let mid = size * share(abs(x1), y1);
-            let end = size * share(abs(x2), y2);
-            ends = max(ends, max(max(start, mid), end));
-            top = max(top, crest(start, mid, end));
-            let lower = dip(y0, y1, y2);
-            if lower.least < least {
-                least = lower.least;
-                x_there = parabola(x0, x1, x2, lower.at);
-            }
-            x0 = x2;
-            y0 = y2;
-        }
-        var most = ends;
-        if least_y > 0.0 {
-            // The result is not above the bound because of which the gap was searched.
-            let bound = size * share(magnitude, least_y);
-            let there = size * share(abs(x_there), least_y);
-            most = min(max(max(top, there), ends), max(bound, ends));
-        }
-        friction = max(friction, most);
     }
     return friction;
+}
+
+// A sample of the record, where there is one.
+fn record_at(sample: u32) -> Ground {
+    let first = select(0u, 2u * sample, recorded);
+    return Ground(numbers[first], numbers[first + 1u]);
+}
+
+// The friction demand so far and within a gap, of which a cell takes the steps from the shared motions at its start.
+// They are not cut at the kinks of the Bouc-Wen law, across which z and u' are smooth enough for a gap.
+fn within_gap(pair: MotionPair, cell: Cell, scale: real, gap: u32, friction: real) -> real {
+    let zero: real = 0.0;
+    let half: real = 0.5;
+    let one: real = 1.0;
+    let corner = pivot(FULL_CONTACT);
+    var state: State;
+    move_to(pair, scale, gap, &state);
+    state.friction = friction;
+    var forcing = segment(cell, gap * cell.substeps, record_at(gap), record_at(gap + 1u));
+    for (var step = 0u; step < cell.substeps; step++) {
+        let ground_mid = ground_at(cell, forcing, half);
+        let ground_end = ground_at(cell, forcing, one);
+        let k1 = rates(cell, corner, false, state.motion, ground_at(cell, forcing, zero));
+        let h = step_length(cell, forcing);
+        let stepped = rk4(cell, corner, false, state.motion, k1, h, ground_mid, ground_end);
+        let base = support(cell, stepped.y, ground_end);
+        update_contact(&state, contact_of(k1), stepped.mid, Contact(base.f_h, base.f_v));
+        state.motion = stepped.y;
+        forcing.done += one;
+    }
+    return state.friction;
 }

@@ -35,7 +35,9 @@ struct ThreadFeed<'a, R> {
     queue: &'a AtomicUsize,
     outcomes: &'a Mutex<Block>,
     taken: Range<usize>,
-    ended: Vec<(usize, Outcome)>,
+    /// The outcomes of cells that have ended, and the numbers of these cells.
+    ended: Vec<Outcome>,
+    numbers: Vec<usize>,
 }
 
 impl<R: Real> ThreadFeed<'_, R> {
@@ -44,8 +46,9 @@ impl<R: Real> ThreadFeed<'_, R> {
         self.observer.advance(self.ended.len());
         // If a thread panicked here, it has stored complete outcomes only.
         let mut outcomes = self.outcomes.lock().unwrap_or_else(PoisonError::into_inner);
-        outcomes.place(&self.ended);
+        outcomes.place(&self.numbers, &self.ended);
         self.ended.clear();
+        self.numbers.clear();
         if let Some(snapshots) = self.run.snapshots
             && (snapshots.due)()
         {
@@ -77,8 +80,8 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
 
     #[inline(always)]
     fn done(&mut self, job: &Job<R>) {
-        let outcome = self.all.outcome(job.number, &job.state);
-        self.ended.push((job.number, outcome));
+        self.ended.push(self.all.outcome(job.number, &job.state));
+        self.numbers.push(job.number);
         if self.ended.len() == AT_ONCE {
             self.deliver();
         }
@@ -122,6 +125,7 @@ fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Bl
                 outcomes: &outcomes,
                 taken: 0..0,
                 ended: Vec::with_capacity(AT_ONCE),
+                numbers: Vec::with_capacity(AT_ONCE),
             };
             let zero = R::of(0.0);
             if recorded {

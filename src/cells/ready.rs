@@ -28,6 +28,8 @@ pub struct Cells<'a, R> {
     pub motions: Arc<Option<FullContactMotions<R>>>,
     /// Where they find their motions of u and of v.
     pub of_motions: Option<[Index; 2]>,
+    /// The record.
+    record: &'a [Ground<R>],
 }
 
 impl<'a, R: Real> Cells<'a, R> {
@@ -36,13 +38,13 @@ impl<'a, R: Real> Cells<'a, R> {
         plan: &'a Plan,
         grid: &'a Grid,
         cells: &'a [usize],
-        record: &[Ground<R>],
+        record: &'a [Ground<R>],
         observer: &dyn Observer,
     ) -> Cells<'a, R> {
         let tables = CellTables::of(plan, grid, cells);
         let motions = shared_motions(plan, (grid, cells), record, observer);
         let of_motions = motions.as_ref().as_ref().map(|motions| motions.index(grid, cells));
-        Cells { tables, motions, of_motions }
+        Cells { tables, motions, of_motions, record }
     }
 
     /// The bodies, by number.
@@ -71,7 +73,8 @@ impl<'a, R: Real> Cells<'a, R> {
     #[inline(always)]
     pub(crate) fn motions_of(&self, cell: &CellAt) -> Option<MotionPair<'_, R>> {
         let motions = self.motions.as_ref().as_ref()?;
-        self.of_motions.as_ref().map(|of| motions.pair([of[0].of(cell), of[1].of(cell)]))
+        let pair = |of: &[Index; 2]| motions.pair([of[0].of(cell), of[1].of(cell)], self.record);
+        self.of_motions.as_ref().map(pair)
     }
 
     /// The outcome of a cell whose last state is `state`.

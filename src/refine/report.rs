@@ -1,9 +1,9 @@
 //! What refining did, level by level, and how much it may have missed.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A round of probes: cells drawn at random among those that were not run.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ProbeRound {
     /// Cells that were left alone: not run, and taken to have the outcome around them.
     pub left_alone: usize,
@@ -22,7 +22,7 @@ pub struct ProbeRound {
 }
 
 /// A level.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Level {
     /// Its number, from 1 on.
     pub level: u32,
@@ -41,7 +41,7 @@ pub struct Level {
 }
 
 /// What refining did.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RefineReport {
     /// Columns and rows of the finest grid.
     pub shape: (usize, usize),

@@ -1,166 +1,93 @@
-//! The columns of consecutive cells in memory: one vector for each column, with numbers of the type of the sweep.
+//! The columns of consecutive cells in memory, with numbers of the type of the sweep.
 
 use std::ops::Range;
 
+use super::cell_value::ColumnKind;
 pub use super::cell_value::PENDING;
-use super::cell_value::{CellValue, Stored};
 use super::column_set::ColumnSet;
-use super::columns::{Column, ColumnType, Columns, ValueOf, with_column};
-pub use super::element::ColumnValues;
-use super::element::{ColumnNumber, Element};
+use super::columns::{Column, TABLE};
+pub use super::values::ColumnValues;
+use super::values::{Slots, ValueType};
 use crate::model::precision::Precision;
 use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::work::parallel;
 
 /// Number of cells that are converted at once from outcomes to columns, or back: as many as a fast cache holds.
-pub(super) const AT_ONCE: usize = 1 << 8;
+const AT_ONCE: usize = 1 << 8;
+
+/// Cells that a thread fills at once: some 100 kB of columns, which no other thread writes to.
+const A_THREAD: usize = 1 << 11;
+
+/// Cells that are made before they go to their columns.
+const FILLED: usize = 1 << 6;
 
 /// The columns of consecutive cells.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Block(pub(super) EitherColumns);
-
-/// Columns of either number type. The sweep chooses the type.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum EitherColumns {
-    Singles(Columns<f32>),
-    Doubles(Columns<f64>),
-}
-
-impl From<Columns<f32>> for Block {
-    fn from(columns: Columns<f32>) -> Block {
-        Block(EitherColumns::Singles(columns))
-    }
-}
-
-impl From<Columns<f64>> for Block {
-    fn from(columns: Columns<f64>) -> Block {
-        Block(EitherColumns::Doubles(columns))
-    }
-}
-
-/// Evaluates an expression for the columns of a block, whatever their number type.
-macro_rules! with_columns {
-    ($block:expr, $columns:pat => $body:expr) => {
-        match $block {
-            $crate::results::block::Block($crate::results::block::EitherColumns::Singles(
-                $columns,
-            )) => $body,
-            $crate::results::block::Block($crate::results::block::EitherColumns::Doubles(
-                $columns,
-            )) => $body,
-        }
-    };
-}
-pub(super) use with_columns;
-
-/// Number of bytes that a value of a column takes.
-pub(super) fn width(column: Column, precision: Precision) -> usize {
-    with_column!(column, C => match precision {
-        Precision::F32 => size_of::<Stored<ValueOf<C>, f32>>(),
-        Precision::F64 => size_of::<Stored<ValueOf<C>, f64>>(),
-    })
+pub struct Block {
+    precision: Precision,
+    /// One for each column, in the order of the table.
+    columns: Vec<ColumnValues>,
 }
 
 /// Number of bytes that the columns of one cell take in memory.
 pub fn bytes_a_cell(precision: Precision) -> usize {
-    Column::ALL.into_iter().map(|column| width(column, precision)).sum()
-}
-
-impl<F: ColumnNumber> Columns<F> {
-    fn pending(count: usize) -> Columns<F> {
-        let mut columns = Columns::default();
-        for column in Column::ALL {
-            with_column!(column, C => {
-                *C::values_mut(&mut columns) = vec![ValueOf::<C>::pending::<F>(); count];
-            });
-        }
-        columns
-    }
-
-    /// Columns whose values are all unknown.
-    pub(super) fn absent(count: usize) -> Columns<F> {
-        let mut columns = Columns::default();
-        for column in Column::ALL {
-            with_column!(column, C => {
-                *C::values_mut(&mut columns) = vec![ValueOf::<C>::filler::<F>(); count];
-            });
-        }
-        columns
-    }
-}
-
-/// Appends the values of a column to those of another one, converted to its number type.
-fn append<C: ColumnType, F: ColumnNumber, G: ColumnNumber>(
-    to: &mut Columns<F>,
-    from: &mut Columns<G>,
-) {
-    let values = std::mem::take(C::values_mut(from));
-    C::values_mut(to).extend(values.into_iter().map(C::Value::resized::<G, F>));
-}
-
-/// Marks the field of a column in outcomes as not known.
-pub(super) fn leave_out<C: ColumnType>(outcomes: &mut [Outcome]) {
-    for cell in outcomes {
-        C::give(cell, C::Value::of::<f64>(C::Value::filler::<f64>()));
-    }
-}
-
-/// Sets the field of a column in outcomes, from stored values.
-pub(super) fn read<C: ColumnType, F: ColumnNumber>(
-    values: &[Stored<C::Value, F>],
-    outcomes: &mut [Outcome],
-) {
-    for (cell, value) in outcomes.iter_mut().zip(values) {
-        C::give(cell, C::Value::of::<F>(*value));
-    }
-}
-
-/// The ranges of cells that have run, by the codes of their statuses.
-pub(super) fn done(codes: &[u8]) -> Vec<Range<usize>> {
-    let mut done: Vec<Range<usize>> = Vec::new();
-    for (cell, _) in codes.iter().enumerate().filter(|(_, code)| **code != PENDING) {
-        match done.last_mut() {
-            Some(last) if last.end == cell => last.end = cell + 1,
-            _ => done.push(cell..cell + 1),
-        }
-    }
-    done
+    TABLE.iter().map(|entry| ValueType::of(entry.kind, precision).size()).sum()
 }
 
 impl Block {
     /// The columns of a given number of cells, none of which has run.
     pub fn pending(count: usize, precision: Precision) -> Block {
-        match precision {
-            Precision::F32 => Columns::<f32>::pending(count).into(),
-            Precision::F64 => Columns::<f64>::pending(count).into(),
-        }
+        Block::all(count, precision, ColumnKind::pending)
+    }
+
+    /// Columns whose values are all unknown.
+    pub(super) fn absent(count: usize, precision: Precision) -> Block {
+        Block::all(count, precision, ColumnKind::filler)
+    }
+
+    /// The columns of cells that all have the same number in a column of a kind.
+    fn all(count: usize, precision: Precision, number: fn(ColumnKind) -> f64) -> Block {
+        let column = |kind| ColumnValues::all(number(kind), ValueType::of(kind, precision), count);
+        Block { precision, columns: TABLE.iter().map(|entry| column(entry.kind)).collect() }
+    }
+
+    /// The columns of outcomes. A cell that is [`Outcome::PENDING`] has not run.
+    pub fn of_outcomes(outcomes: &[Outcome], precision: Precision) -> Block {
+        let mut block = Block::pending(outcomes.len(), precision);
+        let ran = |cell: &usize| outcomes[*cell] != Outcome::PENDING;
+        let places: Vec<usize> = (0..outcomes.len()).filter(ran).collect();
+        let ran: Vec<Outcome> = places.iter().map(|cell| outcomes[*cell]).collect();
+        block.place(&places, &ran);
+        block
     }
 
     /// Joins blocks, with numbers of the type of the first one. At most one column is held twice at a time, because each column
     /// leaves its block when it is taken.
     pub fn joined(mut blocks: Vec<Block>) -> Block {
-        fn join<F: ColumnNumber>(whole: &mut Columns<F>, blocks: &mut [Block], count: usize) {
-            for column in Column::ALL {
-                with_column!(column, C => {
-                    let values = C::values_mut(whole);
-                    values.reserve_exact(count - values.len());
-                    for block in &mut *blocks {
-                        with_columns!(block, from => append::<C, F, _>(whole, from));
-                    }
-                });
+        if let [_] = blocks[..] {
+            return blocks.remove(0);
+        }
+        let precision = blocks.first().map_or(Precision::F32, Block::precision);
+        let count = blocks.iter().map(Block::len).sum();
+        let mut whole = Block::pending(0, precision);
+        for (number, entry) in TABLE.iter().enumerate() {
+            let of = ValueType::of(entry.kind, precision);
+            let mut first = 0;
+            whole.columns[number] = ColumnValues::all(0.0, of, count);
+            for block in &mut blocks {
+                let empty = ColumnValues::all(0.0, of, 0);
+                let values = std::mem::replace(&mut block.columns[number], empty);
+                let cells = first..first + values.len();
+                first = cells.end;
+                whole.columns[number].slots(cells).copy(&values, 0..values.len());
             }
         }
-        let count = blocks.iter().map(Block::len).sum();
-        if blocks.is_empty() {
-            return Block::pending(0, Precision::F32);
-        }
-        let mut whole = blocks.remove(0);
-        with_columns!(&mut whole, columns => join(columns, &mut blocks, count));
         whole
     }
 
     /// The number of cells.
     pub fn len(&self) -> usize {
-        self.codes().0.len()
+        self.columns[Column::Status as usize].len()
     }
 
     /// True where there is no cell.
@@ -168,24 +95,37 @@ impl Block {
         self.len() == 0
     }
 
-    /// The codes of classes and statuses.
-    fn codes(&self) -> (&[u8], &[u8]) {
-        with_columns!(self, columns => (&columns.class, &columns.status))
+    /// The number type of its columns.
+    pub fn precision(&self) -> Precision {
+        self.precision
+    }
+
+    /// The values of a column.
+    pub(super) fn values(&self, column: Column) -> &ColumnValues {
+        &self.columns[column as usize]
+    }
+
+    /// Puts all values of a column in the place of those that it has.
+    pub(super) fn replace(&mut self, column: Column, values: ColumnValues) {
+        self.columns[column as usize] = values;
     }
 
     /// The class of a cell; unresolved where it has not run.
     pub fn class(&self, cell: usize) -> Class {
-        let (classes, statuses) = self.codes();
-        match statuses[cell] {
+        match self.values(Column::Status).codes()[cell] {
             PENDING => Class::Unresolved,
-            _ => Class::ALL[usize::from(classes[cell])],
+            _ => Class::ALL[usize::from(self.values(Column::Outcome).codes()[cell])],
         }
     }
 
     /// Changes the classes and statuses of cells that have run; `change` is handed a cell's number and both.
     pub fn recode(&mut self, change: impl Fn(usize, Class, Status) -> (Class, Status)) {
-        let (classes, statuses) =
-            with_columns!(self, columns => (&mut columns.class, &mut columns.status));
+        let both = [Column::Outcome as usize, Column::Status as usize];
+        let Ok([ColumnValues::Codes(classes), ColumnValues::Codes(statuses)]) =
+            self.columns.get_disjoint_mut(both)
+        else {
+            return;
+        };
         let ran = classes.iter_mut().zip(statuses).enumerate();
         for (cell, (class, status)) in ran.filter(|(_, (_, status))| **status != PENDING) {
             let before = (Class::ALL[usize::from(*class)], Status::ALL[usize::from(*status)]);
@@ -194,47 +134,46 @@ impl Block {
         }
     }
 
-    /// The number type of its columns.
-    pub fn precision(&self) -> Precision {
-        match self.0 {
-            EitherColumns::Singles(_) => Precision::F32,
-            EitherColumns::Doubles(_) => Precision::F64,
-        }
+    /// The bytes of all columns, one after the other.
+    pub(super) fn to_bytes(&self) -> Vec<u8> {
+        self.columns.iter().flat_map(ColumnValues::to_bytes).collect()
+    }
+
+    /// The columns of so many cells from their bytes; none where these are too few, or have a code of nothing.
+    pub(super) fn of_bytes(mut bytes: &[u8], cells: usize, precision: Precision) -> Option<Block> {
+        let mut column = |kind| {
+            let of = ValueType::of(kind, precision);
+            let (column, rest) = bytes.split_at_checked(of.size() * cells)?;
+            bytes = rest;
+            Some(ColumnValues::of_bytes(column, of, cells)).filter(|values| values.have_names(kind))
+        };
+        let columns = TABLE.iter().map(|entry| column(entry.kind)).collect::<Option<Vec<_>>>()?;
+        Some(Block { precision, columns })
     }
 
     /// Some of the columns, in the order of the table.
     pub fn into_columns(self, asked: ColumnSet) -> Vec<(Column, ColumnValues)> {
-        with_columns!(self, mut columns => {
-            let mut handed_out = |column| {
-                with_column!(column, C => {
-                    Element::handed_out(std::mem::take(C::values_mut(&mut columns)))
-                })
-            };
-            asked.columns().map(|column| (column, handed_out(column))).collect()
-        })
+        let all = Column::ALL.into_iter().zip(self.columns);
+        all.filter(|(column, _)| asked.has(*column)).collect()
     }
 
     /// Those of the given cells that have not run.
     pub fn pending_in(&self, cells: Range<usize>) -> usize {
-        self.codes().1[cells].iter().filter(|code| **code == PENDING).count()
+        self.values(Column::Status).codes()[cells].iter().filter(|code| **code == PENDING).count()
+    }
+
+    /// The ranges of cells that have run.
+    pub fn done(&self) -> Vec<Range<usize>> {
+        self.values(Column::Status).done()
     }
 
     /// Sets the fields of some columns in outcomes; the first outcome is that of the cell `first` of the block.
     pub fn read(&self, first: usize, columns: &[Column], outcomes: &mut [Outcome]) {
-        fn of<F: ColumnNumber>(
-            all: &Columns<F>,
-            first: usize,
-            columns: &[Column],
-            outcomes: &mut [Outcome],
-        ) {
-            for (number, some) in outcomes.chunks_mut(AT_ONCE).enumerate() {
-                let from = first + number * AT_ONCE;
-                for column in columns {
-                    with_column!(column, C => read::<C, F>(&C::values(all)[from..], some));
-                }
+        for (number, some) in outcomes.chunks_mut(AT_ONCE).enumerate() {
+            for column in columns {
+                (column.entry().give)(self.values(*column), first + number * AT_ONCE, some);
             }
         }
-        with_columns!(self, all => of(all, first, columns, outcomes));
     }
 
     /// The outcomes of all cells; [`Outcome::PENDING`] for those that have not run.
@@ -244,8 +183,135 @@ impl Block {
         outcomes
     }
 
-    /// The ranges of cells that have run.
-    pub fn done(&self) -> Vec<Range<usize>> {
-        done(self.codes().1)
+    /// Takes outcomes, each to its place.
+    pub fn place(&mut self, places: &[usize], outcomes: &[Outcome]) {
+        let count = self.len();
+        for (places, outcomes) in places.chunks(AT_ONCE).zip(outcomes.chunks(AT_ONCE)) {
+            for (entry, values) in TABLE.iter().zip(&mut self.columns) {
+                (entry.put)(&mut values.slots(0..count), places, outcomes);
+            }
+        }
+    }
+
+    /// Takes the outcomes of cells from a place on.
+    pub fn put(&mut self, first: usize, outcomes: &[Outcome]) {
+        let places: Vec<usize> = (first..first + outcomes.len()).collect();
+        self.place(&places, outcomes);
+    }
+
+    /// Takes the outcomes of a given number of cells from a place on, by all threads; `of` adds those of some cells, by their
+    /// numbers among them, to a list. They stay in a fast cache until they are in their columns.
+    pub fn fill(
+        &mut self,
+        first: usize,
+        count: usize,
+        of: impl Fn(Range<usize>, &mut Vec<Outcome>) + Sync,
+    ) {
+        let cells = first..first + count;
+        let mut whole: Vec<Slots> =
+            self.columns.iter_mut().map(|values| values.slots(cells.clone())).collect();
+        let cut = |from: usize| {
+            let cells = from..(from + A_THREAD).min(count);
+            let slots = whole.iter_mut().map(|slots| slots.cut(cells.len())).collect();
+            (cells, slots)
+        };
+        let mut parts: Vec<(Range<usize>, Vec<Slots>)> =
+            (0..count).step_by(A_THREAD).map(cut).collect();
+        let places: Vec<usize> = (0..A_THREAD).collect();
+        parallel::each_slice(&mut parts, 1, |_, parts| {
+            let (cells, slots) = &mut parts[0];
+            let mut outcomes = Vec::with_capacity(FILLED);
+            for from in cells.clone().step_by(FILLED) {
+                outcomes.clear();
+                of(from..(from + FILLED).min(cells.end), &mut outcomes);
+                for (entry, slots) in TABLE.iter().zip(&mut *slots) {
+                    (entry.put)(slots, &places[from - cells.start..], &outcomes);
+                }
+            }
+        });
+    }
+
+    /// Takes some cells of another block from a place on; numbers become as wide as those here.
+    pub fn take(&mut self, first: usize, from: &Block, cells: Range<usize>) {
+        let places = first..first + cells.len();
+        for (to, from) in self.columns.iter_mut().zip(&from.columns) {
+            to.slots(places.clone()).copy(from, cells.clone());
+        }
+    }
+
+    /// Takes all cells of another block, each to its place.
+    pub fn scatter(&mut self, places: &[usize], from: &Block) {
+        // Places that follow one another are taken at once.
+        let mut done = 0;
+        for run in places.chunk_by(|one, next| *next == one + 1) {
+            self.take(run[0], from, done..done + run.len());
+            done += run.len();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn outcome(cell: usize) -> Outcome {
+        let number = cell as f64 + 0.5;
+        Outcome {
+            class: Class::ALL[cell % 5],
+            status: Status::ALL[cell % 4],
+            impacts: cell as u32,
+            t_end: number,
+            t_uplift: Some(-number),
+            zeta: 2.0 * number,
+            friction: 3.0 * number,
+            ..Outcome::PENDING
+        }
+    }
+
+    /// All threads put every cell in its place, whatever the numbers of cells.
+    #[test]
+    fn all_threads_fill_what_one_puts() {
+        for count in [1, FILLED, FILLED + 1, 2 * A_THREAD + 77] {
+            let mut filled = Block::pending(count + 9, Precision::F64);
+            filled.fill(5, count, |cells, outcomes| outcomes.extend(cells.map(outcome)));
+            let mut expected = vec![Outcome::PENDING; count + 9];
+            for cell in 0..count {
+                expected[5 + cell] = outcome(cell);
+            }
+            assert_eq!(filled, Block::of_outcomes(&expected, Precision::F64));
+        }
+    }
+
+    /// Outcomes are taken to their places, in any order.
+    #[test]
+    fn outcomes_are_placed() {
+        for precision in [Precision::F32, Precision::F64] {
+            let mut placed = Block::pending(9, precision);
+            let mut expected = vec![Outcome::PENDING; 9];
+            for (cell, place) in [8, 1, 2, 0].into_iter().enumerate() {
+                placed.place(&[place], &[outcome(cell)]);
+                expected[place] = outcome(cell);
+            }
+            placed.place(&[4, 3], &[outcome(4), outcome(5)]);
+            (expected[4], expected[3]) = (outcome(4), outcome(5));
+            assert_eq!(placed, Block::of_outcomes(&expected, precision));
+        }
+    }
+
+    /// Cells are taken to their places, and numbers become as wide as those there.
+    #[test]
+    fn cells_are_scattered() {
+        let outcomes: Vec<Outcome> = (0..6).map(outcome).collect();
+        let from = Block::of_outcomes(&outcomes, Precision::F64);
+        for precision in [Precision::F32, Precision::F64] {
+            let mut to = Block::pending(9, precision);
+            to.scatter(&[8, 1, 2, 3, 0, 6], &from);
+            let mut expected = vec![Outcome::PENDING; 9];
+            for (cell, place) in [8, 1, 2, 3, 0, 6].into_iter().enumerate() {
+                expected[place] = outcomes[cell];
+            }
+            assert_eq!(to, Block::of_outcomes(&expected, precision));
+            assert_eq!(to.done(), [0..4, 6..7, 8..9]);
+        }
     }
 }

@@ -1,7 +1,5 @@
-//! The values of a cell in a column, and how a column stores them. The type of the field of an outcome decides both, so that no
-//! column can be filled with the numbers of another.
+//! The value of a cell in a column as a number, and as it is shown.
 
-use super::element::{ColumnNumber, Element};
 use crate::stepping::outcome::{Class, Outcome, Status};
 
 /// The status of a cell that has not run, in memory and on disk; no status has this code.
@@ -36,6 +34,42 @@ pub enum ColumnKind {
     Time,
 }
 
+impl ColumnKind {
+    /// The number in a column of this kind of a cell that has not run.
+    pub(super) fn pending(self) -> f64 {
+        match self {
+            ColumnKind::Class => Class::Unresolved.number(),
+            ColumnKind::Status => f64::from(PENDING),
+            ColumnKind::Count | ColumnKind::Number | ColumnKind::Time => 0.0,
+        }
+    }
+
+    /// The number that fills up a file, and that stands for an unknown value.
+    pub(super) fn filler(self) -> f64 {
+        match self {
+            ColumnKind::Number | ColumnKind::Time => f64::NAN,
+            kind => kind.pending(),
+        }
+    }
+
+    /// A number in a column of this kind, as it is shown.
+    pub(super) fn shown(self, number: f64) -> Shown {
+        match self {
+            ColumnKind::Class => {
+                let class = Class::of(number);
+                Shown::Code(class_code(class), class.name())
+            }
+            ColumnKind::Status => {
+                let status = Status::of(number);
+                Shown::Code(status_code(status), status.name())
+            }
+            ColumnKind::Count => Shown::Count(CellValue::of(number)),
+            ColumnKind::Number => Shown::Number(number),
+            ColumnKind::Time => Shown::Time(CellValue::of(number)),
+        }
+    }
+}
+
 /// The value of a cell in a column, as it is shown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shown {
@@ -61,189 +95,80 @@ impl Shown {
     }
 }
 
-/// The type in which a column stores a value, in a sweep of a number type.
-pub type Stored<V, F> = <V as CellValue>::Stored<F>;
-
-/// The value of a cell in a column: a field of its [`Outcome`].
-pub trait CellValue: Copy {
-    /// The type in which the column stores it.
-    type Stored<F: ColumnNumber>: Element;
+/// The value of a cell in a column: a field of its [`Outcome`]. Each is a number, which f64 has exactly.
+pub(super) trait CellValue: Copy {
     /// The kind of its columns.
     const KIND: ColumnKind;
-    /// True where a file says beside the value that the cell ended early.
-    const HAS_PROVED: bool = false;
 
-    /// The stored value of a cell that has not run.
-    fn pending<F: ColumnNumber>() -> Stored<Self, F> {
-        Stored::<Self, F>::default()
-    }
+    /// The value as a number.
+    fn number(self) -> f64;
 
-    /// The stored value that fills up a file, and that stands for an unknown value.
-    fn filler<F: ColumnNumber>() -> Stored<Self, F> {
-        Self::pending::<F>()
-    }
-
-    /// The stored form of the value.
-    fn stored<F: ColumnNumber>(self) -> Stored<Self, F>;
-
-    /// The value of a stored form.
-    fn of<F: ColumnNumber>(stored: Stored<Self, F>) -> Self;
-
-    /// The stored form in a column of another number type.
-    fn resized<F: ColumnNumber, G: ColumnNumber>(stored: Stored<Self, F>) -> Stored<Self, G> {
-        Self::of::<F>(stored).stored::<G>()
-    }
-
-    /// The form in a file.
-    fn to_file<F: ColumnNumber>(stored: Stored<Self, F>) -> Stored<Self, F> {
-        stored
-    }
-
-    /// Converts the form of a file to the stored form, given a 1 for each cell that ended early. False where a code in the file has
-    /// no meaning.
-    fn of_file<F: ColumnNumber>(_filed: &mut [Stored<Self, F>], _proved: &[u8]) -> bool {
-        true
-    }
-
-    /// The value to be shown.
-    fn shown(self) -> Shown;
+    /// The value that a number is.
+    fn of(number: f64) -> Self;
 }
 
 impl CellValue for Class {
-    type Stored<F: ColumnNumber> = u8;
     const KIND: ColumnKind = ColumnKind::Class;
 
-    fn pending<F: ColumnNumber>() -> u8 {
-        Class::Unresolved as u8
+    fn number(self) -> f64 {
+        f64::from(self as u8)
     }
 
-    fn stored<F: ColumnNumber>(self) -> u8 {
-        self as u8
-    }
-
-    fn of<F: ColumnNumber>(code: u8) -> Class {
-        Class::ALL[usize::from(code)]
-    }
-
-    fn resized<F: ColumnNumber, G: ColumnNumber>(code: u8) -> u8 {
-        code
-    }
-
-    fn of_file<F: ColumnNumber>(codes: &mut [u8], _: &[u8]) -> bool {
-        codes.iter().all(|code| usize::from(*code) < Class::ALL.len())
-    }
-
-    fn shown(self) -> Shown {
-        Shown::Code(class_code(self), self.name())
+    fn of(number: f64) -> Class {
+        Class::ALL[number as usize]
     }
 }
 
-/// A status is stored as its place in [`Status::ALL`], and written to files as its place in [`STATUS_NAMES`].
+/// A status is its place in [`Status::ALL`].
 impl CellValue for Status {
-    type Stored<F: ColumnNumber> = u8;
     const KIND: ColumnKind = ColumnKind::Status;
-    const HAS_PROVED: bool = true;
 
-    fn pending<F: ColumnNumber>() -> u8 {
-        PENDING
+    fn number(self) -> f64 {
+        f64::from(self as u8)
     }
 
-    fn stored<F: ColumnNumber>(self) -> u8 {
-        self as u8
-    }
-
-    fn of<F: ColumnNumber>(code: u8) -> Status {
-        match code {
+    fn of(number: f64) -> Status {
+        match number as u8 {
             PENDING => Outcome::PENDING.status,
             code => Status::ALL[usize::from(code)],
         }
     }
-
-    fn resized<F: ColumnNumber, G: ColumnNumber>(code: u8) -> u8 {
-        code
-    }
-
-    fn to_file<F: ColumnNumber>(code: u8) -> u8 {
-        Status::ALL.get(usize::from(code)).map_or(PENDING, |status| status_code(*status))
-    }
-
-    fn of_file<F: ColumnNumber>(codes: &mut [u8], proved: &[u8]) -> bool {
-        let named = |code| Status::ALL.into_iter().find(|status| status_code(*status) == code);
-        codes.iter_mut().zip(proved).all(|(code, proved)| {
-            let status = match (*code, *proved) {
-                (PENDING, _) => return true,
-                (0, 1) => Some(Status::Proved),
-                (code, _) => named(code),
-            };
-            status.is_some_and(|status| {
-                *code = status as u8;
-                true
-            })
-        })
-    }
-
-    fn shown(self) -> Shown {
-        Shown::Code(status_code(self), self.name())
-    }
 }
 
 impl CellValue for u32 {
-    type Stored<F: ColumnNumber> = u32;
     const KIND: ColumnKind = ColumnKind::Count;
 
-    fn stored<F: ColumnNumber>(self) -> u32 {
-        self
+    fn number(self) -> f64 {
+        f64::from(self)
     }
 
-    fn of<F: ColumnNumber>(count: u32) -> u32 {
-        count
-    }
-
-    fn shown(self) -> Shown {
-        Shown::Count(self)
+    fn of(number: f64) -> u32 {
+        number as u32
     }
 }
 
 impl CellValue for f64 {
-    type Stored<F: ColumnNumber> = F;
     const KIND: ColumnKind = ColumnKind::Number;
 
-    fn filler<F: ColumnNumber>() -> F {
-        F::of(f64::NAN)
+    fn number(self) -> f64 {
+        self
     }
 
-    fn stored<F: ColumnNumber>(self) -> F {
-        F::of(self)
-    }
-
-    fn of<F: ColumnNumber>(number: F) -> f64 {
-        number.to_f64()
-    }
-
-    fn shown(self) -> Shown {
-        Shown::Number(self)
+    fn of(number: f64) -> f64 {
+        number
     }
 }
 
-/// A missing time is stored as NaN.
+/// A missing time is NaN.
 impl CellValue for Option<f64> {
-    type Stored<F: ColumnNumber> = F;
     const KIND: ColumnKind = ColumnKind::Time;
 
-    fn filler<F: ColumnNumber>() -> F {
-        F::of(f64::NAN)
+    fn number(self) -> f64 {
+        self.unwrap_or(f64::NAN)
     }
 
-    fn stored<F: ColumnNumber>(self) -> F {
-        F::of(self.unwrap_or(f64::NAN))
-    }
-
-    fn of<F: ColumnNumber>(time: F) -> Option<f64> {
-        Some(time.to_f64()).filter(|time| !time.is_nan())
-    }
-
-    fn shown(self) -> Shown {
-        Shown::Time(self)
+    fn of(number: f64) -> Option<f64> {
+        Some(number).filter(|time| !time.is_nan())
     }
 }
 

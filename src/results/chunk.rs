@@ -9,12 +9,10 @@ use std::io::{Read, Write};
 use flate2::bufread::GzDecoder;
 use flate2::{Compression, GzBuilder};
 
-use super::block::{self, Block, with_columns};
-use super::cell_value::{CellValue, Stored};
-use super::column_set::ColumnSet;
-use super::columns::{Column, ColumnType, Columns, with_column};
-use super::element::{ColumnNumber, Element};
-use super::zarr::{self, LEVEL, PROVED};
+use super::block::{Block, PENDING};
+use super::columns::{Column, status_code};
+use super::values::{ColumnValues, ValueType};
+use super::zarr::{LEVEL, PROVED};
 use crate::model::precision::Precision;
 use crate::stepping::outcome::Status;
 
@@ -100,9 +98,14 @@ pub(super) fn held(packed: &[u8]) -> Option<usize> {
     usize::try_from(u32::from_le_bytes(*size)).ok()
 }
 
+/// The type of an array, by its name and its column.
+fn value_type(array: &str, column: Column, precision: Precision) -> ValueType {
+    if array == PROVED { ValueType::U8 } else { ValueType::of(column.entry().kind, precision) }
+}
+
 /// The bytes of so many cells in an array of a column of a number type.
 pub(super) fn bytes_of(array: &str, column: Column, precision: Precision, cells: usize) -> usize {
-    if array == PROVED { cells } else { cells * block::width(column, precision) }
+    cells * value_type(array, column, precision).size()
 }
 
 /// So many bytes from a file; none where it is not whole, or has not as many.
@@ -115,77 +118,52 @@ pub fn unpack(packed: &[u8], count: usize) -> Option<Vec<u8>> {
     exact.then_some(bytes)
 }
 
+/// The bytes of values in an array of their column.
+pub(super) fn in_array(array: &str, column: Column, values: &ColumnValues) -> Vec<u8> {
+    let filed = |code: u8| {
+        Status::ALL.get(usize::from(code)).map_or(PENDING, |status| status_code(*status))
+    };
+    let codes = values.codes().iter();
+    match (array, column) {
+        (PROVED, _) => codes.map(|code| u8::from(*code == Status::Proved as u8)).collect(),
+        (_, Column::Status) => codes.map(|code| filed(*code)).collect(),
+        _ => values.to_bytes(),
+    }
+}
+
+/// The code of a status in memory, from its code in a file and whether its cell ended early; none of a code of nothing.
+fn held_code(code: u8, proved: u8) -> Option<u8> {
+    let status = match (code, proved) {
+        (PENDING, _) => return Some(PENDING),
+        (0, 1) => Some(Status::Proved),
+        _ => Status::ALL.into_iter().find(|status| status_code(*status) == code),
+    };
+    status.map(|status| status as u8)
+}
+
 /// The bytes of a chunk in an array: of a block's column, filled up to so many cells.
 pub fn encode(array: &str, column: Column, block: &Block, cells: usize) -> Vec<u8> {
-    fn filled<T: Element>(values: impl Iterator<Item = T>, cells: usize, filler: T) -> Vec<u8> {
-        let mut bytes = Vec::with_capacity(size_of::<T>() * cells);
-        values.for_each(|value| value.add_to(&mut bytes));
-        while bytes.len() < size_of::<T>() * cells {
-            filler.add_to(&mut bytes);
-        }
-        bytes
-    }
-    fn of<C: ColumnType, F: ColumnNumber>(columns: &Columns<F>, cells: usize) -> Vec<u8> {
-        let values = C::values(columns).iter().map(|value| C::Value::to_file::<F>(*value));
-        filled(values, cells, C::Value::filler::<F>())
-    }
-    with_columns!(block, columns => match array {
-        PROVED => {
-            let proved = |code: &u8| u8::from(*code == Status::Proved as u8);
-            filled(columns.status.iter().map(proved), cells, 0)
-        }
-        _ => with_column!(column, C => of::<C, _>(columns, cells)),
-    })
+    let filler = if array == PROVED { 0.0 } else { column.entry().kind.filler() };
+    let of = value_type(array, column, block.precision());
+    let mut bytes = in_array(array, column, block.values(column));
+    bytes.extend(ColumnValues::all(filler, of, cells - block.len()).to_bytes());
+    bytes
 }
 
-/// The bytes of an array, by its name and their number; none where these are not whole.
-pub type ArrayBytes<'a, E> = dyn FnMut(&str, usize) -> Result<Option<Vec<u8>>, E> + 'a;
-
-/// The values of a column, as they are held.
-type ValuesOf<C, F> = Vec<Stored<<C as ColumnType>::Value, F>>;
-
-/// The values of a column's first `count` cells from the bytes of its arrays, of chunks of a given number of cells; none where those
-/// are not whole, or have a code of nothing.
-///
-/// # Errors
-/// Those of `arrays`.
-pub(super) fn decode<C: ColumnType, F: ColumnNumber, E>(
-    (count, cells): (usize, usize),
-    arrays: &mut ArrayBytes<E>,
-) -> Result<Option<ValuesOf<C, F>>, E> {
-    let proved = if C::Value::HAS_PROVED { arrays(PROVED, cells)? } else { Some(Vec::new()) };
-    let bytes = arrays(C::COLUMN.entry().name, size_of::<Stored<C::Value, F>>() * cells)?;
-    let (Some(bytes), Some(proved)) = (bytes, proved) else { return Ok(None) };
-    let mut values = Element::first_of(&bytes, count);
-    Ok(C::Value::of_file::<F>(&mut values, &proved).then_some(values))
-}
-
-/// The whole block of a chunk; its arrays are requested in the order of [`zarr::columns`]. Columns that are not held
-/// have what tells that they are not known.
-///
-/// # Errors
-/// Those of `arrays`; none where one of them is not whole.
-pub fn decode_all<E>(
-    sizes: (usize, usize),
-    (precision, asked): (Precision, ColumnSet),
-    arrays: &mut ArrayBytes<E>,
-) -> Result<Option<Block>, E> {
-    fn all<F: ColumnNumber, E>(
-        sizes: (usize, usize),
-        asked: ColumnSet,
-        arrays: &mut ArrayBytes<E>,
-    ) -> Result<Option<Columns<F>>, E> {
-        let mut columns = Columns::absent(sizes.0);
-        for (_, column) in zarr::columns(asked).filter(|(array, _)| *array != PROVED) {
-            with_column!(column, C => match decode::<C, F, E>(sizes, arrays)? {
-                Some(values) => *C::values_mut(&mut columns) = values,
-                None => return Ok(None),
-            });
-        }
-        Ok(Some(columns))
+/// The values of a column's first `count` cells from the bytes of its array, and of the array that says which of them ended
+/// early; none where they have a code of nothing.
+pub(super) fn decode(
+    (column, precision): (Column, Precision),
+    count: usize,
+    bytes: &[u8],
+    proved: &[u8],
+) -> Option<ColumnValues> {
+    let kind = column.entry().kind;
+    let values = ColumnValues::of_bytes(bytes, ValueType::of(kind, precision), count);
+    if column == Column::Status {
+        let codes = values.codes().iter().zip(proved);
+        let held = codes.map(|(code, proved)| held_code(*code, *proved));
+        return held.collect::<Option<_>>().map(ColumnValues::Codes);
     }
-    Ok(match precision {
-        Precision::F32 => all::<f32, E>(sizes, asked, arrays)?.map(Block::from),
-        Precision::F64 => all::<f64, E>(sizes, asked, arrays)?.map(Block::from),
-    })
+    values.have_names(kind).then_some(values)
 }

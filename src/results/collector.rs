@@ -4,12 +4,10 @@
 use std::collections::BTreeMap;
 use std::io;
 use std::ops::Range;
-use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use super::block::Block;
 use super::chunking::Chunking;
-use super::column_set::ColumnSet;
 use super::outcomes::Outcomes;
 use super::reader::{BlocksInMemory, ChunkReader, ShardFolder};
 use super::saved_chunks::SavedChunks;
@@ -82,7 +80,7 @@ impl<'a> OutcomeCollector<'a> {
         wanted: Range<usize>,
     ) -> io::Result<OutcomeCollector<'a>> {
         let (store, holds) = (saver.store, saver.holds);
-        let (chunking, precision) = (store.chunking().clone(), store.precision());
+        let (chunking, precision) = (store.files().chunking.clone(), store.files().precision);
         let mut collector = OutcomeCollector::in_memory(chunking, precision, wanted);
         collector.saver = Some(saver);
         for saved in &found.chunks {
@@ -91,7 +89,8 @@ impl<'a> OutcomeCollector<'a> {
             collector.on_disk.insert(saved.chunk, done);
             // Others are as they are to be.
             if holds || left > 0 {
-                let open = OpenChunk { block: store.read(saved.chunk)?, left, unsaved: false };
+                let open =
+                    OpenChunk { block: store.files().read(saved.chunk)?, left, unsaved: false };
                 collector.open.insert(saved.chunk, open);
             }
         }
@@ -247,7 +246,7 @@ impl<'a> OutcomeCollector<'a> {
     /// Those of the store.
     pub fn finish(mut self) -> Result<Box<dyn Outcomes>, StoreError> {
         let saved = self.rescue()?;
-        let (holds, precision) = (self.holds(), self.precision);
+        let holds = self.holds();
         if !holds && !saved {
             return Err(StoreError::Incomplete);
         }
@@ -259,15 +258,9 @@ impl<'a> OutcomeCollector<'a> {
             let blocks = open.into_values().map(|open| open.block).collect();
             return Ok(Box::new(BlocksInMemory::new(chunking, blocks)));
         }
-        let columns = saver.as_ref().map_or(ColumnSet::ALL, |saver| saver.store.columns());
-        let folder = saver.map_or_else(PathBuf::new, |saver| saver.store.path().to_path_buf());
+        let files = saver.ok_or(StoreError::Incomplete)?.store.files().clone();
         let count = wanted.len();
-        let reader = ChunkReader::new(
-            chunking,
-            columns,
-            vec![ShardFolder { cells: wanted, folder, precision }],
-            count,
-        );
+        let reader = ChunkReader::new(vec![ShardFolder { cells: wanted, files }], count);
         Ok(Box::new(reader.ok_or(StoreError::Incomplete)?))
     }
 }

@@ -24,9 +24,6 @@ impl ColumnSet {
     /// The columns that a map has by default.
     pub const ALL: ColumnSet = ColumnSet((1 << Column::BY_DEFAULT) - 1);
 
-    /// All columns.
-    pub(crate) const EVERY: ColumnSet = ColumnSet((1 << Column::ALL.len()) - 1);
-
     /// The columns that tell whether a cell has run, and those that pictures and counts need. A sweep always holds them, because
     /// every cell has them anyway.
     const HELD: ColumnSet = ColumnSet::of(&[

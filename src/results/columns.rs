@@ -1,11 +1,9 @@
 //! The columns of a map, each defined once. The columns in memory and on disk, map.csv, map.npz, map.zarr and
 //! docs/columns.md are all made from this table.
 
-use std::ops::Range;
-
-use super::cell_value::{CellValue, Stored};
+use super::cell_value::CellValue;
 pub use super::cell_value::{ColumnKind, STATUS_NAMES, Shown, class_code, status_code};
-use super::element::ColumnNumber;
+use super::values::{ColumnValues, Slots};
 use crate::stepping::outcome::{Class, Outcome, Status};
 
 /// The description of a column.
@@ -20,47 +18,25 @@ pub struct Entry {
     pub meaning: &'static str,
     /// What it holds.
     pub kind: ColumnKind,
-    /// Gives the value of a cell in it, as it is shown.
-    pub shown: fn(&Outcome) -> Shown,
+    /// The value of a cell in it as a number.
+    number: fn(&Outcome) -> f64,
+    /// Puts the values of outcomes in slots, each at its place.
+    pub(super) put: fn(&mut Slots, &[usize], &[Outcome]),
+    /// Sets the values of outcomes from those of the column from a place on.
+    pub(super) give: fn(&ColumnValues, usize, &mut [Outcome]),
 }
 
-/// A column as a type: the type of its values, and where they are stored.
-pub(super) trait ColumnType {
-    /// The type of its values.
-    type Value: CellValue;
-    /// The column of this type.
-    const COLUMN: Column;
-
-    /// The value that an outcome has in this column.
-    fn of(cell: &Outcome) -> Self::Value;
-
-    /// Sets the value of an outcome in this column.
-    fn give(cell: &mut Outcome, value: Self::Value);
-
-    /// The values of this column, of a struct of all columns.
-    fn values<F: ColumnNumber>(columns: &Columns<F>) -> &Vec<Stored<Self::Value, F>>;
-
-    /// The same, to be changed.
-    fn values_mut<F: ColumnNumber>(columns: &mut Columns<F>) -> &mut Vec<Stored<Self::Value, F>>;
-
-    /// The slots of this column, of a struct of all slots.
-    fn slots<'s, F: ColumnNumber>(slots: &'s mut Slots<F>) -> &'s mut [Stored<Self::Value, F>];
+impl Entry {
+    /// The value of a cell in it, as it is shown.
+    pub fn shown(&self, cell: &Outcome) -> Shown {
+        self.kind.shown((self.number)(cell))
+    }
 }
 
-/// What a cell has in a column.
-pub(super) type ValueOf<C> = <C as ColumnType>::Value;
-
-/// Splits `count` slots off the front.
-fn cut<'a, T>(slots: &mut &'a mut [T], count: usize) -> &'a mut [T] {
-    let (front, rest) = std::mem::take(slots).split_at_mut(count);
-    *slots = rest;
-    front
-}
-
-/// Makes everything that has a part for each column from one table. A row of the table has the name of the column in Rust, the
-/// field of an [`Outcome`] and its type, which is also the type of the column, the name in files, the unit and the meaning.
+/// Makes the enum of columns and their descriptions from one table. A row of the table has the name of the column in Rust, the
+/// field of an [`Outcome`] and its type, the name in files, the unit and the meaning.
 macro_rules! columns {
-    ($d:tt $(
+    ($(
         $(#[$doc:meta])* $column:ident = $field:ident: $value:ty, $name:literal, $unit:literal, $meaning:literal;
     )*) => {
         /// What is known of a cell: one variant for each column.
@@ -81,81 +57,16 @@ macro_rules! columns {
             unit: $unit,
             meaning: $meaning,
             kind: <$value as CellValue>::KIND,
-            shown: |cell| cell.$field.shown(),
+            number: |cell| cell.$field.number(),
+            put: |slots, places, outcomes| slots.put(places, outcomes, |cell| cell.$field.number()),
+            give: |values, first, outcomes| {
+                values.give(first, outcomes, |cell, number| cell.$field = CellValue::of(number));
+            },
         }),*];
-
-        /// All columns of a run of cells, with numbers of one type.
-        #[derive(Debug, Clone, PartialEq, Default)]
-        pub(super) struct Columns<F: ColumnNumber> {
-            $(pub(super) $field: Vec<Stored<$value, F>>,)*
-        }
-
-        /// Parts of all columns, to be written to.
-        pub(super) struct Slots<'a, F: ColumnNumber> {
-            $($field: &'a mut [Stored<$value, F>],)*
-        }
-
-        impl<F: ColumnNumber> Columns<F> {
-            /// The parts that belong to a range of cells.
-            pub(super) fn slots(&mut self, cells: Range<usize>) -> Slots<'_, F> {
-                Slots { $($field: &mut self.$field[cells.clone()],)* }
-            }
-        }
-
-        impl<'a, F: ColumnNumber> Slots<'a, F> {
-            /// Splits `count` cells off the front.
-            pub(super) fn cut(&mut self, count: usize) -> Slots<'a, F> {
-                Slots { $($field: cut(&mut self.$field, count),)* }
-            }
-        }
-
-        /// Each column as a type, for code that is generic over columns.
-        pub(super) mod of {
-            $(pub struct $column;)*
-        }
-
-        $(impl ColumnType for of::$column {
-            type Value = $value;
-            const COLUMN: Column = Column::$column;
-
-            fn of(cell: &Outcome) -> $value {
-                cell.$field
-            }
-
-            fn give(cell: &mut Outcome, value: $value) {
-                cell.$field = value;
-            }
-
-            fn values<F: ColumnNumber>(columns: &Columns<F>) -> &Vec<Stored<$value, F>> {
-                &columns.$field
-            }
-
-            fn values_mut<F: ColumnNumber>(columns: &mut Columns<F>) -> &mut Vec<Stored<$value, F>> {
-                &mut columns.$field
-            }
-
-            fn slots<'s, F: ColumnNumber>(slots: &'s mut Slots<F>) -> &'s mut [Stored<$value, F>] {
-                slots.$field
-            }
-        })*
-
-        /// Evaluates an expression for a column; a name in it stands for the type of the column.
-        macro_rules! with_column {
-            ($d column:expr, $d name:ident => $d body:expr) => {
-                match $d column {
-                    $($crate::results::columns::Column::$column => {
-                        type $d name = $crate::results::columns::of::$column;
-                        $d body
-                    })*
-                }
-            };
-        }
-        pub(super) use with_column;
     };
 }
 
 columns! {
-    $
     /// The class.
     Outcome = class: Class, "outcome", "",
         "outcome: full_contact, rocking, overturned_left, overturned_right, unresolved";

@@ -97,7 +97,7 @@ enum Field {
 impl Field {
     /// That of a cell in a column.
     fn of(entry: &Entry, cell: &Outcome) -> Field {
-        match (entry.shown)(cell) {
+        match entry.shown(cell) {
             Shown::Code(_, name) => Field::Name(name),
             Shown::Count(count) => Field::Count(count),
             Shown::Number(number) => Field::Number(Number(number)),

@@ -1,7 +1,7 @@
 //! Results as columns: what each column is, columns in memory and on disk, and their files.
 //!
 //! ```text
-//! element, cell_value, columns (the table), column_set -> block, filling (in memory) -> chunking, chunk, zarr, group, store (on disk) -> csv, npz
+//! cell_value, values, columns (the table), column_set -> block (in memory) -> chunking, chunk, zarr, chunk_files, group, store (on disk) -> csv, npz
 //! ```
 
 pub mod about;
@@ -9,6 +9,7 @@ pub mod block;
 mod busy;
 pub(crate) mod cell_value;
 pub mod chunk;
+pub mod chunk_files;
 pub mod chunking;
 pub mod collector;
 pub mod colour;
@@ -16,9 +17,7 @@ pub mod column_set;
 pub mod columns;
 pub mod csv;
 pub mod earlier;
-pub(crate) mod element;
 pub mod files;
-pub(crate) mod filling;
 pub mod group;
 pub mod identity;
 pub mod listed;
@@ -40,6 +39,7 @@ pub mod store;
 pub mod store_error;
 pub mod tally;
 pub mod temporary;
+pub(crate) mod values;
 #[cfg(test)]
 mod vision;
 pub mod zarr;

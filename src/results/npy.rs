@@ -4,8 +4,6 @@
 
 use std::io;
 
-use bytemuck::NoUninit;
-
 /// The first bytes of every array: the name of the format and its version.
 const MAGIC: &[u8; 8] = b"\x93NUMPY\x01\x00";
 /// An array begins at a multiple of so many bytes.
@@ -13,36 +11,14 @@ const ALIGNMENT: usize = 64;
 /// Most bytes of the header of an array without an index: numpy writes 118.
 const LARGEST_HEADER: usize = 512;
 
-/// The order of the bytes of this machine, in which numbers are written.
-const ORDER: char = if cfg!(target_endian = "little") { '<' } else { '>' };
-
-/// The type of an array's values.
-pub trait ArrayValue: NoUninit + Send {
-    /// Its kind in numpy.
-    const KIND: char;
-}
-
-macro_rules! array_values {
-    ($($value:ty: $kind:literal),*) => {
-        $(impl ArrayValue for $value {
-            const KIND: char = $kind;
-        })*
-    };
-}
-
-array_values!(bool: 'b', u8: 'u', u32: 'u', u64: 'u', f32: 'f', f64: 'f');
-
-/// The header of an array, the last index fastest: of values of a kind ([`ArrayValue::KIND`], or `U` for letters) and of so many bytes
-/// (letters).
-pub fn header(kind: char, size: usize, shape: &[u64]) -> Vec<u8> {
-    let order = if kind != 'U' && size == 1 { '|' } else { ORDER };
+/// The header of an array of values of a type, by its name in numpy: the last index fastest.
+pub fn header(of: &str, shape: &[u64]) -> Vec<u8> {
     // As Python writes a tuple: one of one number ends with a comma.
     let shape = match shape {
         [count] => format!("{count},"),
         counts => counts.iter().map(u64::to_string).collect::<Vec<_>>().join(", "),
     };
-    let mut text =
-        format!("{{'descr': '{order}{kind}{size}', 'fortran_order': False, 'shape': ({shape}), }}");
+    let mut text = format!("{{'descr': '{of}', 'fortran_order': False, 'shape': ({shape}), }}");
     let length = MAGIC.len() + 2;
     let filled = (length + text.len() + 1).next_multiple_of(ALIGNMENT) - length;
     text.extend(std::iter::repeat_n(' ', filled - text.len() - 1));

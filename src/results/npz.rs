@@ -10,19 +10,18 @@ use zip::write::SimpleFileOptions;
 use zip::{ZipArchive, ZipWriter};
 
 use super::about::Source;
-use super::cell_value::{CellValue, Stored};
-use super::column_set::ColumnSet;
-use super::columns::{Column, ColumnType, with_column};
-use super::element::ColumnNumber;
+use super::chunk;
+use super::columns::{Column, Entry};
 use super::listed::{CELL, ListedCells};
-use super::npy::{self, ArrayValue};
+use super::npy;
 use super::outcomes::{Outcomes, each_block_of};
+use super::values::{ColumnValues, ValueType, bytes_of};
 use super::zarr::PROVED;
 use crate::model::precision::Precision;
 use crate::scene::grid::Axis;
 use crate::scene::record::zips;
 use crate::scene::{Grid, bounded};
-use crate::stepping::outcome::{Outcome, Status};
+use crate::stepping::outcome::Outcome;
 use crate::work::parallel;
 
 /// Level of compression: of more, files are hardly smaller and take several times as long.
@@ -64,11 +63,12 @@ pub fn write_list(
     let mut archive = Archive { zip: ZipWriter::new(writer), shape, outcomes: listed.outcomes };
     archive.all(listed.grid, source)?;
     let cells: Vec<u64> = listed.cells.iter().map(|cell| *cell as u64).collect();
-    archive.begin_numbers::<u64>(CELL, &[cells.len() as u64])?;
-    archive.zip.write_all(bytemuck::cast_slice(&cells))?;
+    archive.begin(CELL, ("<u8", size_of::<u64>()), &[cells.len() as u64])?;
+    archive.zip.write_all(&bytes_of(&cells, u64::to_le_bytes))?;
     for count in listed.counts {
-        archive.begin_numbers::<u32>(count.name, &[count.values.len() as u64])?;
-        archive.zip.write_all(bytemuck::cast_slice(&count.values))?;
+        let of = ValueType::U32;
+        archive.begin(count.name, (of.in_numpy(), of.size()), &[count.values.len() as u64])?;
+        archive.zip.write_all(&bytes_of(&count.values, u32::to_le_bytes))?;
     }
     let about = listed.about(source);
     archive.text(ABOUT, &Value::Object(about).to_string())?;
@@ -105,24 +105,15 @@ impl<W: Write + Seek> Archive<'_, W> {
         for axis in grid.axes() {
             self.axis(axis)?;
         }
-        match source.precision {
-            Precision::F32 => self.columns::<f32>(source.columns)?,
-            Precision::F64 => self.columns::<f64>(source.columns)?,
-        }
-        match source.columns.has(Column::Status) {
-            true => self.column(PROVED, Column::Status, |cell| cell.status == Status::Proved),
-            false => Ok(()),
-        }
+        let columns = source.columns.entries().map(|entry| (entry.name, entry));
+        let status = source.columns.has(Column::Status).then(|| Column::Status.entry());
+        let mut arrays = columns.chain(status.map(|status| (PROVED, status)));
+        arrays.try_for_each(|(array, entry)| self.column(array, entry, source.precision))
     }
 
-    /// Begins an array of a kind of value ([`npy::header()`]) and a shape: its values are to follow, so many bytes.
-    fn begin(
-        &mut self,
-        name: &str,
-        (kind, size): (char, usize),
-        shape: &[u64],
-        bytes: u64,
-    ) -> io::Result<()> {
+    /// Begins an array of values of a type ([`npy::header()`]) and of so many bytes each: they are to follow.
+    fn begin(&mut self, name: &str, (of, size): (&str, usize), shape: &[u64]) -> io::Result<()> {
+        let bytes = shape.iter().product::<u64>() * size as u64;
         // Beyond 4 GiB with its head the archive needs longer numbers.
         let large = bytes >= u64::from(u32::MAX) - (1 << 10);
         let options = SimpleFileOptions::default()
@@ -130,53 +121,42 @@ impl<W: Write + Seek> Archive<'_, W> {
             .compression_level(Some(LEVEL))
             .large_file(large);
         self.zip.start_file(format!("{name}.npy"), options)?;
-        self.zip.write_all(&npy::header(kind, size, shape))
-    }
-
-    /// Begins an array of numbers as they lie in memory.
-    fn begin_numbers<T: ArrayValue>(&mut self, name: &str, shape: &[u64]) -> io::Result<()> {
-        let bytes = shape.iter().product::<u64>() * size_of::<T>() as u64;
-        self.begin(name, (T::KIND, size_of::<T>()), shape, bytes)
+        self.zip.write_all(&npy::header(of, shape))
     }
 
     /// Adds a text as an array of no index.
     fn text(&mut self, name: &str, text: &str) -> io::Result<()> {
         let letters: Vec<u32> = text.chars().map(u32::from).collect();
-        let bytes: &[u8] = bytemuck::cast_slice(&letters);
-        self.begin(name, ('U', letters.len()), &[], bytes.len() as u64)?;
-        self.zip.write_all(bytes)
+        let bytes = bytes_of(&letters, u32::to_le_bytes);
+        self.begin(name, (&format!("<U{}", letters.len()), bytes.len()), &[])?;
+        self.zip.write_all(&bytes)
     }
 
     /// Adds the values of an axis.
     fn axis(&mut self, axis: &Axis) -> io::Result<()> {
         let values: Vec<f64> = axis.values.iter().collect();
-        self.begin_numbers::<f64>(axis.key(), &[values.len() as u64])?;
-        self.zip.write_all(bytemuck::cast_slice(&values))
+        let of = ValueType::F64;
+        self.begin(axis.key(), (of.in_numpy(), of.size()), &[values.len() as u64])?;
+        self.zip.write_all(&bytes_of(&values, f64::to_le_bytes))
     }
 
-    /// Adds columns, numbers of a type.
-    fn columns<F: ColumnNumber>(&mut self, columns: ColumnSet) -> io::Result<()> {
-        fn of<C: ColumnType, F: ColumnNumber>(cell: &Outcome) -> Stored<C::Value, F> {
-            C::Value::to_file::<F>(C::of(cell).stored::<F>())
-        }
-        columns.entries().try_for_each(|entry| {
-            with_column!(entry.column, C => self.column(entry.name, entry.column, of::<C, F>))
-        })
-    }
-
-    /// Adds a column as an array, its values made on all cores.
-    fn column<T: ArrayValue>(
-        &mut self,
-        name: &str,
-        column: Column,
-        value: fn(&Outcome) -> T,
-    ) -> io::Result<()> {
+    /// Adds an array of a column, its values made on all cores.
+    fn column(&mut self, array: &str, entry: &Entry, precision: Precision) -> io::Result<()> {
+        let of = ValueType::of(entry.kind, precision);
+        let numpy = if array == PROVED { "|b1" } else { of.in_numpy() };
         let shape = self.shape.clone();
-        self.begin_numbers::<T>(name, &shape)?;
+        self.begin(array, (numpy, of.size()), &shape)?;
+        let bytes = |cells: &[Outcome]| {
+            let places: Vec<usize> = (0..cells.len()).collect();
+            let mut values = ColumnValues::all(0.0, of, cells.len());
+            (entry.put)(&mut values.slots(0..cells.len()), &places, cells);
+            chunk::in_array(array, entry.column, &values)
+        };
         let count = shape.iter().product::<u64>() as usize;
-        each_block_of(count, self.outcomes, &[column], |_, block| {
-            let values = parallel::each(block.len(), AT_ONCE, |cell| value(&block[cell]));
-            self.zip.write_all(bytemuck::cast_slice(&values))
+        each_block_of(count, self.outcomes, &[entry.column], |_, block| {
+            let parts: Vec<&[Outcome]> = block.chunks(AT_ONCE).collect();
+            let parts = parallel::each(parts.len(), 1, |part| bytes(parts[part]));
+            self.zip.write_all(&parts.concat())
         })
     }
 }

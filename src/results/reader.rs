@@ -2,23 +2,18 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::fmt;
 use std::io;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::block::{self, Block};
-use super::cell_value::Stored;
-use super::chunk;
+use super::block::Block;
+use super::chunk_files::ChunkFiles;
 use super::chunking::Chunking;
-use super::column_set::ColumnSet;
-use super::columns::{Column, ColumnType, TABLE, with_column};
-use super::element::ColumnNumber;
+use super::columns::Column;
 use super::outcomes::Outcomes;
-use super::zarr::chunk_path;
+use super::values::{ColumnValues, ValueType};
 use crate::model::precision::Precision;
-use crate::scene::bounded;
 use crate::stepping::outcome::Outcome;
 
 /// All columns of a grid in memory, chunk by chunk.
@@ -72,48 +67,25 @@ impl Outcomes for BlocksInMemory {
 pub struct ShardFolder {
     /// Their numbers.
     pub cells: Range<usize>,
-    /// The Zarr group of their chunks.
-    pub folder: PathBuf,
-    /// The number type of its columns.
-    pub precision: Precision,
+    /// The files of their chunks.
+    pub files: ChunkFiles,
 }
 
 /// A column of a chunk in a folder, all three by their numbers.
-type Place = (usize, usize, usize);
-
-/// Fills a column of outcomes of cells from a place on.
-type FillColumn = dyn Fn(usize, &mut [Outcome]) + Send + Sync;
-
-/// That of the values of a column.
-fn filling<C: ColumnType, F: ColumnNumber>(values: Vec<Stored<C::Value, F>>) -> Arc<FillColumn> {
-    Arc::new(move |first, outcomes| block::read::<C, F>(&values[first..], outcomes))
-}
+type Place = (usize, usize, Column);
 
 /// Outcomes that lie on disk, in one folder or in several that hold a shard each.
+#[derive(Debug)]
 pub struct ChunkReader {
-    chunking: Chunking,
-    /// The requested columns.
-    columns: ColumnSet,
     /// By their first cells.
     held: Vec<ShardFolder>,
     /// The last values read of each column: who goes through a map asks for a chunk's many times.
-    last: Mutex<BTreeMap<usize, (Place, Arc<FillColumn>)>>,
-}
-
-impl fmt::Debug for ChunkReader {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("ChunkReader").field("held", &self.held).finish_non_exhaustive()
-    }
+    last: Mutex<BTreeMap<usize, (Place, Arc<ColumnValues>)>>,
 }
 
 impl ChunkReader {
-    /// The reader of these columns in folders; none if they leave one of `count` cells out, or hold one twice.
-    pub fn new(
-        chunking: Chunking,
-        columns: ColumnSet,
-        mut held: Vec<ShardFolder>,
-        count: usize,
-    ) -> Option<ChunkReader> {
+    /// The reader of folders of one grid; none if they leave one of `count` cells out, or hold one twice.
+    pub fn new(mut held: Vec<ShardFolder>, count: usize) -> Option<ChunkReader> {
         held.sort_by_key(|held| held.cells.start);
         let mut end = 0;
         for held in &held {
@@ -122,39 +94,25 @@ impl ChunkReader {
             }
             end = held.cells.end;
         }
-        let last = Mutex::default();
-        (end == count).then_some(ChunkReader { chunking, columns, held, last })
+        (end == count).then(|| ChunkReader { held, last: Mutex::default() })
     }
 
     /// The values of a column of a chunk in a folder.
-    fn values(&self, place: Place) -> io::Result<Arc<FillColumn>> {
+    fn values(&self, place: Place) -> io::Result<Arc<ColumnValues>> {
         let (folder, chunk, column) = place;
-        let known = |last: &BTreeMap<usize, (Place, Arc<FillColumn>)>| {
-            last.get(&column).filter(|(of, _)| *of == place).map(|(_, values)| values.clone())
+        let known = |last: &BTreeMap<usize, (Place, Arc<ColumnValues>)>| {
+            last.get(&(column as usize))
+                .filter(|(of, _)| *of == place)
+                .map(|(_, values)| values.clone())
         };
         // What a thread that broke off leaves is whole: values are made before they are kept.
         let last = || self.last.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(values) = known(&last()) {
             return Ok(values);
         }
-        let (ShardFolder { folder: path, precision, .. }, entry) =
-            (&self.held[folder], &TABLE[column]);
-        let mut arrays = |array: &str, count| {
-            let path = path.join(chunk_path(array, &self.chunking, chunk));
-            let named = |e: io::Error| io::Error::new(e.kind(), format!("{}: {e}", path.display()));
-            Ok(chunk::unpack(&bounded::read(&path, chunk::LARGEST).map_err(named)?, count))
-        };
-        let sizes = (self.chunking.cells(chunk).len(), self.chunking.chunk_cells());
-        let values = with_column!(entry.column, C => match precision {
-            Precision::F32 => chunk::decode::<C, f32, io::Error>(sizes, &mut arrays)?.map(filling::<C, f32>),
-            Precision::F64 => chunk::decode::<C, f64, io::Error>(sizes, &mut arrays)?.map(filling::<C, f64>),
-        });
-        let values = values.ok_or_else(|| {
-            let array = path.join(chunk_path(entry.name, &self.chunking, chunk));
-            let problem = format!("{}: damaged since it was found", array.display());
-            io::Error::new(io::ErrorKind::InvalidData, problem)
-        })?;
-        last().insert(column, (place, values.clone()));
+        let values = self.held[folder].files.column(chunk, column)?;
+        let values = Arc::new(values);
+        last().insert(column as usize, (place, values.clone()));
         Ok(values)
     }
 }
@@ -167,24 +125,32 @@ impl Outcomes for ChunkReader {
         for (folder, held) in holding.take_while(|(_, held)| held.cells.start < cells.end) {
             let some = cells.start.max(held.cells.start)..cells.end.min(held.cells.end);
             let place = some.start - cells.start..some.end - cells.start;
-            each_chunk(&self.chunking, &some, &mut outcomes[place], |chunk, first, outcomes| {
-                for column in columns {
-                    if !self.columns.held().has(*column) {
-                        with_column!(*column, C => block::leave_out::<C>(outcomes));
-                        continue;
+            each_chunk(
+                &held.files.chunking,
+                &some,
+                &mut outcomes[place],
+                |chunk, first, outcomes| {
+                    for column in columns {
+                        let entry = column.entry();
+                        if held.files.columns.held().has(*column) {
+                            let values = self.values((folder, chunk, *column))?;
+                            (entry.give)(&values, first, outcomes);
+                        } else {
+                            let of = ValueType::of(entry.kind, held.files.precision);
+                            let absent = ColumnValues::all(entry.kind.filler(), of, outcomes.len());
+                            (entry.give)(&absent, 0, outcomes);
+                        }
                     }
-                    let values = self.values((folder, chunk, *column as usize))?;
-                    values(first, outcomes);
-                }
-                Ok(())
-            })?;
+                    Ok(())
+                },
+            )?;
         }
         Ok(Cow::Owned(outcomes))
     }
 
     fn moved(&mut self, from: &Path, to: &Path) {
-        for held in self.held.iter_mut().filter(|held| held.folder == from) {
-            held.folder = to.to_path_buf();
+        for held in self.held.iter_mut().filter(|held| held.files.folder == from) {
+            held.files.folder = to.to_path_buf();
         }
     }
 }

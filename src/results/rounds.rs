@@ -2,18 +2,16 @@
 //! again goes on from there: refining a map.
 //!
 //! A file is packed as a column of a [`chunk`] is: of the run of a tag, with a checksum. It holds the cells'
-//! numbers and the arrays of their columns, one after the other. A list is taken from its file where that is whole and has
-//! the same cells.
+//! numbers and their columns as they are in memory. A list is taken from its file where that is whole and has the same cells.
 
 use std::io::Write;
 use std::path::Path;
 
 use super::block::{Block, bytes_a_cell};
-use super::column_set::ColumnSet;
+use super::chunk;
 use super::files::Directory;
 use super::own::ROUND;
 use super::store_error::StoreError;
-use super::{chunk, zarr};
 use crate::model::precision::Precision;
 use crate::scene::bounded;
 use crate::stepping::outcome::Outcome;
@@ -47,25 +45,17 @@ impl Rounds {
     /// The outcomes of the next list, where it is saved: the same cells, all of them whole.
     pub fn take(&mut self, cells: &[usize]) -> Option<Vec<Outcome>> {
         let name = self.name();
-        // Of each cell its number, its columns, and whether it ended early.
-        let count = cells.len() * (NUMBER + bytes_a_cell(self.precision) + 1);
+        let count = cells.len() * (NUMBER + bytes_a_cell(self.precision));
         // What is compressed is hardly larger than its numbers.
         let most = 2 * count as u64 + (1 << 20);
         let packed = bounded::read(&self.folder.file(&name), most).ok()?;
         chunk::check(&packed, self.tag, &name).ok()?;
         let bytes = chunk::unpack(&packed, count)?;
-        let (numbers, mut rest) = bytes.split_at(NUMBER * cells.len());
-        if numbers != bytes_of(cells) {
+        let (numbers, columns) = bytes.split_at(NUMBER * cells.len());
+        let block = Block::of_bytes(columns, cells.len(), self.precision)?;
+        if numbers != numbers_of(cells) {
             return None;
         }
-        let mut arrays = |_: &str, count: usize| {
-            let (array, more) = rest.split_at_checked(count).ok_or(())?;
-            rest = more;
-            Ok::<_, ()>(Some(array.to_vec()))
-        };
-        let sizes = (cells.len(), cells.len());
-        let block =
-            chunk::decode_all(sizes, (self.precision, ColumnSet::EVERY), &mut arrays).ok()??;
         self.next += 1;
         Some(block.to_outcomes())
     }
@@ -77,10 +67,8 @@ impl Rounds {
     pub fn save(&mut self, cells: &[usize], outcomes: &[Outcome]) -> Result<(), StoreError> {
         let mut block = Block::pending(cells.len(), self.precision);
         block.put(0, outcomes);
-        let mut bytes = bytes_of(cells);
-        for (array, column) in zarr::columns(ColumnSet::EVERY) {
-            bytes.extend(chunk::encode(array, column, &block, cells.len()));
-        }
+        let mut bytes = numbers_of(cells);
+        bytes.extend(block.to_bytes());
         let name = self.name();
         let packed = chunk::pack(&bytes, self.tag, &name);
         self.folder.write(&name, |w| w.write_all(&packed))?;
@@ -90,7 +78,7 @@ impl Rounds {
 }
 
 /// The numbers of cells, the lowest byte of each first.
-fn bytes_of(cells: &[usize]) -> Vec<u8> {
+fn numbers_of(cells: &[usize]) -> Vec<u8> {
     cells.iter().flat_map(|cell| (*cell as u64).to_le_bytes()).collect()
 }
 

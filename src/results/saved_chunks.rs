@@ -1,17 +1,11 @@
 //! What an earlier run left in its folder: chunks, and the cells of them that have run.
 
-use std::io::ErrorKind;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::chunk::Fault;
-use super::chunking::Chunking;
-use super::column_set::ColumnSet;
-use super::columns::{Column, of};
+use super::chunk_files::ChunkFiles;
 use super::store_error::StoreError;
-use super::{block, chunk, zarr};
-use crate::model::precision::Precision;
-use crate::scene::bounded;
 use crate::work::parallel;
 
 /// A chunk of which cells were saved.
@@ -33,19 +27,16 @@ pub struct SavedChunks {
 }
 
 impl SavedChunks {
-    /// The chunks in a folder of an identity's tag and the requested columns, in their number type; `progress` hears of the cells
-    /// of each.
+    /// The chunks that are in files; `progress` hears of the cells of each.
     ///
     /// # Errors
     /// Errors of the disk.
-    pub fn in_folder(
-        folder: &Path,
-        chunking: &Chunking,
-        of: (u32, ColumnSet, Precision),
+    pub fn in_files(
+        files: &ChunkFiles,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<SavedChunks, StoreError> {
-        let chunks = parallel::each(chunking.count(), 1, |chunk| {
-            let found = find(folder, chunking, chunk, of);
+        let chunks = parallel::each(files.chunking.count(), 1, |chunk| {
+            let found = files.find(chunk);
             if let Ok(Some(Ok(saved))) = &found {
                 progress(saved.done.iter().map(Range::len).sum());
             }
@@ -66,62 +57,4 @@ impl SavedChunks {
     pub fn done(&self) -> Vec<Range<usize>> {
         self.chunks.iter().flat_map(|saved| saved.done.iter().cloned()).collect()
     }
-}
-
-/// A chunk in a folder: the cells of it that have run; or of one that is broken the files that must go, each
-/// with what is wrong, that of the status among them.
-type Chunk = Result<SavedChunk, Vec<(PathBuf, Fault)>>;
-
-/// Finds a chunk in a folder, if its status is there.
-fn find(
-    folder: &Path,
-    chunking: &Chunking,
-    chunk: usize,
-    (tag, columns, precision): (u32, ColumnSet, Precision),
-) -> Result<Option<Chunk>, StoreError> {
-    let name = |array: &str| zarr::chunk_path(array, chunking, chunk);
-    let path = |array: &str| folder.join(name(array));
-    let status = path(Column::Status.entry().name);
-    if !status.exists() {
-        return Ok(None);
-    }
-    let mut broken = Vec::new();
-    for (array, column) in zarr::columns(columns) {
-        let path = path(array);
-        match bounded::read(&path, chunk::LARGEST) {
-            Ok(bytes) => {
-                let count = chunk::bytes_of(array, column, precision, chunking.chunk_cells());
-                let fault = match chunk::check(&bytes, tag, &name(array)) {
-                    Ok(()) if chunk::held(&bytes) != Some(count) => Some(Fault::OtherType),
-                    checked => checked.err(),
-                };
-                broken.extend(fault.map(|fault| (path, fault)));
-            }
-            Err(e) if e.kind() == ErrorKind::NotFound => broken.push((path, Fault::Missing)),
-            Err(e) => return Err(StoreError::file(&path)(e)),
-        }
-    }
-    let (cells, whole) = (chunking.cells(chunk), chunking.chunk_cells());
-    let codes = || -> Result<Option<Vec<Range<usize>>>, StoreError> {
-        let mut arrays = |array: &str, count| {
-            let path = path(array);
-            let packed = bounded::read(&path, chunk::LARGEST).map_err(StoreError::file(&path))?;
-            Ok(chunk::unpack(&packed, count))
-        };
-        // Only which cells have run is asked for, which every number type has alike.
-        let codes =
-            chunk::decode::<of::Status, f32, StoreError>((cells.len(), whole), &mut arrays)?;
-        Ok(codes.map(|codes| block::done(&codes)))
-    };
-    if broken.is_empty() {
-        if let Some(done) = codes()? {
-            let at = |run: Range<usize>| cells.start + run.start..cells.start + run.end;
-            return Ok(Some(Ok(SavedChunk { chunk, done: done.into_iter().map(at).collect() })));
-        }
-        broken.push((status.clone(), Fault::Damaged));
-    }
-    if broken.iter().all(|(path, _)| *path != status) {
-        broken.push((status, Fault::OfItsChunk));
-    }
-    Ok(Some(Err(broken)))
 }

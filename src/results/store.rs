@@ -9,17 +9,16 @@
 //! before it has an identity, and stays with that after.
 
 use std::fs;
-use std::io::{self, ErrorKind, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::about::Source;
 use super::block::Block;
+use super::chunk_files::ChunkFiles;
 use super::chunking::Chunking;
-use super::column_set::ColumnSet;
-use super::columns::Column;
 use super::files::{self, Directory, WriteError};
-use super::group::{self, ChunkFiles};
+use super::group;
 use super::identity::Identity;
 use super::lock::{self, Holds, Lock, lock};
 use super::own::{self, Kind};
@@ -27,8 +26,7 @@ pub use super::own::{IDENTITY, LISTS, REPORT, SAMPLES};
 use super::rounds::Rounds;
 use super::saved_chunks::SavedChunks;
 use super::store_error::StoreError;
-use super::{chunk, temporary, zarr};
-use crate::model::precision::Precision;
+use super::{temporary, zarr};
 use crate::scene::record::Pair;
 use crate::scene::{Grid, bounded};
 
@@ -52,7 +50,7 @@ pub struct Contents<'a> {
 #[derive(Debug)]
 pub struct Store {
     folder: Directory,
-    path: PathBuf,
+    files: ChunkFiles,
     identity: Identity,
     /// The files that every group has, but those of its chunks: paths and bytes.
     metadata: Vec<(String, Vec<u8>)>,
@@ -60,9 +58,6 @@ pub struct Store {
     record: Option<Pair>,
     /// The metadata and the samples are there.
     has_metadata: AtomicBool,
-    chunking: Chunking,
-    precision: Precision,
-    columns: ColumnSet,
     /// Given up last, when the folder is no longer this run's.
     _lock: Lock,
 }
@@ -98,9 +93,16 @@ impl Store {
             directory.remove_leftovers(&RENAMED)?;
         }
         let documents = zarr::documents(contents.grid, &contents.source);
+        let files = ChunkFiles {
+            folder: path,
+            chunking: Chunking::of(contents.grid),
+            tag: identity.tag(),
+            columns: contents.source.columns,
+            precision: contents.source.precision,
+        };
         let store = Store {
             folder,
-            path,
+            files,
             metadata: group::metadata_files(contents.grid, documents, identity.tag()),
             record: contents
                 .source
@@ -111,16 +113,13 @@ impl Store {
                 .filter(|_| identity.shard().is_some()),
             has_metadata: AtomicBool::new(false),
             identity,
-            chunking: Chunking::of(contents.grid),
-            precision: contents.source.precision,
-            columns: contents.source.columns,
             _lock: lock,
         };
-        let before = store.path.join(IDENTITY);
+        let before = store.path().join(IDENTITY);
         if !before.exists() {
             return Ok((store, SavedChunks::default()));
         }
-        if !resume && store.path.join(REPORT).exists() {
+        if !resume && store.path().join(REPORT).exists() {
             return Err(StoreError::Finished(place));
         }
         if !resume {
@@ -158,19 +157,9 @@ impl Store {
             || (path.exists() && is_a_runs(Kind::Empty))
     }
 
-    /// The chunks of its grid.
-    pub fn chunking(&self) -> &Chunking {
-        &self.chunking
-    }
-
-    /// The number type of its columns.
-    pub fn precision(&self) -> Precision {
-        self.precision
-    }
-
-    /// The requested columns.
-    pub fn columns(&self) -> ColumnSet {
-        self.columns
+    /// The files of its chunks.
+    pub fn files(&self) -> &ChunkFiles {
+        &self.files
     }
 
     /// The chunks that are saved in it.
@@ -178,23 +167,22 @@ impl Store {
     /// # Errors
     /// Errors of the disk.
     pub fn found(&self) -> Result<SavedChunks, StoreError> {
-        let of = (self.identity.tag(), self.columns, self.precision);
-        SavedChunks::in_folder(&self.path, &self.chunking, of, &|_| ())
+        SavedChunks::in_files(&self.files, &|_| ())
     }
 
     /// What ties its chunks to its identity.
     pub fn tag(&self) -> u32 {
-        self.identity.tag()
+        self.files.tag
     }
 
     /// Its folder.
     pub fn path(&self) -> &Path {
-        &self.path
+        &self.files.folder
     }
 
     /// True when something was saved in it.
     pub fn is_used(&self) -> bool {
-        self.path.join(IDENTITY).exists()
+        self.path().join(IDENTITY).exists()
     }
 
     /// Says whose the folder is, before anything else is saved in it: killed at any time, a run leaves nothing that
@@ -204,8 +192,9 @@ impl Store {
             self.folder.write(IDENTITY, |w| w.write_all(self.identity.text().as_bytes()))?;
         }
         if !self.has_metadata.load(Ordering::Relaxed) {
-            self.write_metadata(|path| !self.path.join(path).exists())?;
-            if let Some(pair) = self.record.as_ref().filter(|_| !self.path.join(SAMPLES).exists()) {
+            self.write_metadata(|path| !self.path().join(path).exists())?;
+            if let Some(pair) = self.record.as_ref().filter(|_| !self.path().join(SAMPLES).exists())
+            {
                 self.folder.write(SAMPLES, |w| w.write_all(&pair.bytes()))?;
             }
             self.has_metadata.store(true, Ordering::Relaxed);
@@ -219,7 +208,7 @@ impl Store {
     /// [`StoreError::Write`].
     pub fn rounds(&self, name: &str) -> Result<Rounds, StoreError> {
         self.begin()?;
-        Rounds::open(&self.path.join(name), self.identity.tag(), self.precision)
+        Rounds::open(&self.path().join(name), self.files.tag, self.files.precision)
     }
 
     /// Saves a chunk of which some cells at least have run: they are on disk, whole, when this returns.
@@ -245,13 +234,7 @@ impl Store {
             return Ok(false);
         }
         self.begin()?;
-        let to = ChunkFiles {
-            folder: &self.folder,
-            chunking: &self.chunking,
-            tag: self.identity.tag(),
-            columns: self.columns,
-        };
-        Ok(to.write(chunk, block, go_on)?)
+        Ok(self.files.write(&self.folder, chunk, block, go_on)?)
     }
 
     /// Writes those files of the group, but those of its chunks, that are wanted by their paths.
@@ -260,29 +243,6 @@ impl Store {
             self.folder.write(path, |w| w.write_all(bytes))?;
         }
         Ok(())
-    }
-
-    /// Reads a chunk that was found whole.
-    ///
-    /// # Errors
-    /// Errors of the disk, with the file's name.
-    pub fn read(&self, chunk: usize) -> io::Result<Block> {
-        let mut arrays = |array: &str, count| {
-            let packed = bounded::read(&self.file(array, chunk), chunk::LARGEST)?;
-            Ok(chunk::unpack(&packed, count))
-        };
-        let sizes = (self.chunking.cells(chunk).len(), self.chunking.chunk_cells());
-        chunk::decode_all::<io::Error>(sizes, (self.precision, self.columns), &mut arrays)?
-            .ok_or_else(|| {
-                let path = self.file(Column::Status.entry().name, chunk);
-                let problem =
-                    format!("{}: its chunk was damaged since it was found", path.display());
-                io::Error::new(ErrorKind::InvalidData, problem)
-            })
-    }
-
-    fn file(&self, array: &str, chunk: usize) -> PathBuf {
-        self.path.join(zarr::chunk_path(array, &self.chunking, chunk))
     }
 
     /// Says that all of a shard is there, and how it was run, in its report; one that is there already
@@ -297,10 +257,10 @@ impl Store {
     ) -> Result<PathBuf, StoreError> {
         // Somebody may have taken away what joining it needs.
         self.begin()?;
-        if !(resumed && self.path.join(REPORT).exists()) {
+        if !(resumed && self.path().join(REPORT).exists()) {
             self.folder.write(REPORT, |w| serde_json::to_writer_pretty(w, report))?;
         }
-        Ok(self.path.clone())
+        Ok(self.path().to_path_buf())
     }
 
     /// Gives the folder the name of a finished map in its directory, in the place of one that is there, and
@@ -312,7 +272,7 @@ impl Store {
     pub fn publish(self, place: &Path) -> Result<(), StoreError> {
         // Whatever became of them while the chunks were looked after.
         self.write_metadata(|_| true)?;
-        let aside = files::put(&self.path, place)?;
+        let aside = files::put(self.path(), place)?;
         let failed = StoreError::file(place);
         own::gone(fs::remove_file(place.join(IDENTITY))).map_err(&failed)?;
         for folder in fs::read_dir(place).map_err(&failed)? {
@@ -330,16 +290,16 @@ impl Store {
     /// # Errors
     /// [`StoreError::File`].
     pub fn discard(self) -> Result<(), StoreError> {
-        let failed = StoreError::file(&self.path);
+        let failed = StoreError::file(self.path());
         // Under another name half of it is nobody's to go on with.
-        let name = self.path.file_name().unwrap_or_default().to_string_lossy();
-        let aside = self.path.with_file_name(temporary::aside(&name));
-        let is_whole = own::foreign(&self.path, Kind::Group).map_err(&failed)?.is_none();
-        let moved = is_whole && !aside.exists() && fs::rename(&self.path, &aside).is_ok();
-        let folder = if moved { &aside } else { &self.path };
+        let name = self.path().file_name().unwrap_or_default().to_string_lossy();
+        let aside = self.path().with_file_name(temporary::aside(&name));
+        let is_whole = own::foreign(self.path(), Kind::Group).map_err(&failed)?.is_none();
+        let moved = is_whole && !aside.exists() && fs::rename(self.path(), &aside).is_ok();
+        let folder = if moved { &aside } else { self.path() };
         if own::remove(folder, Kind::Group).map_err(&failed)?.is_some() && moved {
             // Somebody was faster, and is to find it where it was put.
-            fs::rename(&aside, &self.path).map_err(&failed)?;
+            fs::rename(&aside, self.path()).map_err(&failed)?;
         }
         Ok(())
     }
@@ -350,7 +310,7 @@ impl Drop for Store {
     fn drop(&mut self) {
         if !self.is_used() {
             // One that was published is not there any more; one in which something lies stays.
-            let _ = fs::remove_dir(&self.path);
+            let _ = fs::remove_dir(self.path());
         }
     }
 }

@@ -7,12 +7,11 @@
 use serde_json::{Map, Value, json};
 
 use super::about::{Source, index};
-use super::cell_value::{CellValue, Stored};
 use super::chunking::Chunking;
 use super::column_set::ColumnSet;
-use super::columns::{Column, ColumnKind, Entry, STATUS_NAMES, ValueOf, with_column};
-use super::element::{ColumnNumber, Element};
+use super::columns::{Column, ColumnKind, Entry, STATUS_NAMES};
 use super::listed::{CELL, CELL_MEANING, ListedCells};
+use super::values::ValueType;
 use crate::model::precision::Precision;
 use crate::scene::Grid;
 use crate::scene::grid::Axis;
@@ -77,16 +76,13 @@ fn attributes(entry: &Entry) -> Value {
     Value::Object(attributes)
 }
 
-/// Data type and fill value of a column: what a cell has that has not run.
-fn data_type(column: Column, precision: Precision) -> (&'static str, Value) {
-    fn of<V: CellValue, F: ColumnNumber>() -> (&'static str, Value) {
-        let filler = json!(V::filler::<F>());
-        (Stored::<V, F>::TYPE, if filler.is_null() { json!("NaN") } else { filler })
-    }
-    with_column!(column, C => match precision {
-        Precision::F32 => of::<ValueOf<C>, f32>(),
-        Precision::F64 => of::<ValueOf<C>, f64>(),
-    })
+/// Data type and fill value of a column of a kind: what a cell has that has not run.
+fn data_type(kind: ColumnKind, precision: Precision) -> (&'static str, Value) {
+    let filler = match kind.filler() {
+        unknown if unknown.is_nan() => json!("NaN"),
+        code => json!(code as u8),
+    };
+    (ValueType::of(kind, precision).in_zarr(), filler)
 }
 
 /// The documents of arrays, by their names.
@@ -108,7 +104,7 @@ impl Layout<'_> {
     /// Those of the columns that are held.
     fn columns(&self, source: &Source) -> Documents {
         let of = |entry: &Entry| {
-            let array = self.array(data_type(entry.column, source.precision), attributes(entry));
+            let array = self.array(data_type(entry.kind, source.precision), attributes(entry));
             (entry.name.to_string(), array)
         };
         let mut arrays: Documents = source.columns.entries().map(of).collect();

@@ -102,13 +102,6 @@ pub fn end_slopes<N: Number>(start: N, mid: N, end: N) -> (N, N) {
     (four * mid - three * start - end, three * end - four * mid + start)
 }
 
-/// The parabola through a span's start, middle and end, at a fraction of the way.
-#[inline(always)]
-pub fn parabola<N: Number>(start: N, mid: N, end: N, at: N) -> N {
-    let (rise, fall) = end_slopes(start, mid, end);
-    start + at * (rise + at * start.like(0.5) * (fall - rise))
-}
-
 /// The extremum of the parabola through a span's start, middle and end, where it lies inside; else
 /// the start.
 #[inline(always)]

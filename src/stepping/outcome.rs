@@ -1,9 +1,9 @@
 //! What became of a cell.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The outcome of a block.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Class {
     /// It never lifted.

@@ -70,11 +70,6 @@ impl Direction {
 pub struct Spans<V> {
     /// The direction whose forces are wanted, if they are.
     pub direction: Option<Direction>,
-    /// Spans of the step.
-    pub count: V,
-    /// The values in the middle and at the end of the last span.
-    pub mid: V,
-    pub end: V,
     /// The largest magnitude, or the least value, in the spans of the gap.
     pub crest: V,
 }
@@ -83,16 +78,13 @@ impl<V: Vector> Spans<V> {
     /// Spans of which no forces are wanted.
     #[inline(always)]
     pub(super) fn unwanted(zero: V) -> Spans<V> {
-        Spans { direction: None, count: zero, mid: zero, end: zero, crest: zero }
+        Spans { direction: None, crest: zero }
     }
 
     /// Some lanes have advanced by a span; the arguments are the contact forces at its start, in its middle and at its end.
     #[inline(always)]
     pub(super) fn take(&mut self, direction: Direction, lanes: V::Mask, forces: [Contact<V>; 3]) {
-        let [start, mid, end] = forces.map(|contact| direction.of(contact));
-        self.count = V::select(lanes, self.count + start.like(1.0), self.count);
-        self.mid = V::select(lanes, mid, self.mid);
-        self.end = V::select(lanes, end, self.end);
-        self.crest = direction.crest(lanes, self.crest, [start, mid, end]);
+        let forces = forces.map(|contact| direction.of(contact));
+        self.crest = direction.crest(lanes, self.crest, forces);
     }
 }

@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 use super::settings::Method;
 use crate::backend::ready::Backend;
 use crate::model::precision::Precision;
-use crate::results::element::Element;
 use crate::results::identity::Identity;
 use crate::results::shard::Shard;
 use crate::scene::record::sha256;
@@ -68,7 +67,8 @@ impl Content {
         let same = self.samples.as_ref() == Some(&sha256(bytes))
             && bytes.len().is_multiple_of(2 * size_of::<f64>());
         if let (Excitation::Record(pair), true) = (&mut self.scene.excitation, same) {
-            let both = f64::first_of(bytes, bytes.len());
+            let (both, _) = bytes.as_chunks();
+            let both: Vec<f64> = both.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
             let (horizontal, vertical) = both.split_at(both.len() / 2);
             (pair.horizontal, pair.vertical) = (horizontal.into(), vertical.into());
         }

@@ -110,9 +110,9 @@ impl MapSweep {
             return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
         }
         let mut values = Vec::with_capacity(self.grid.len());
-        let shown = column.entry().shown;
+        let entry = column.entry();
         each_block(&self.grid, &*self.outcomes, &[column], |_, block| {
-            values.extend(block.iter().map(|cell| shown(cell).number()));
+            values.extend(block.iter().map(|cell| entry.shown(cell).number()));
             Ok(())
         })?;
         Ok(values)
@@ -182,7 +182,7 @@ impl MapSweep {
     pub fn publish(&mut self, place: &Path, observer: &dyn Observer) -> Result<(), SweepError> {
         let Some(store) = &self.store else { return Err(StoreError::Incomplete.into()) };
         let whole = store.found()?;
-        let chunking = store.chunking().clone();
+        let chunking = store.files().chunking.clone();
         observer.begins(Phase::Writing, self.grid.len());
         let go_on = || !observer.cancelled();
         let mut saved: usize = whole.done().iter().map(Range::len).sum();
@@ -191,7 +191,7 @@ impl MapSweep {
             let found = whole.chunks.iter().find(|saved| saved.chunk == chunk);
             let replaced = self.repair.as_ref().is_some_and(|repair| repair.touches(&cells));
             if replaced || found.is_none_or(|found| found.done != [cells.clone()]) {
-                let mut block = Block::pending(cells.len(), store.precision());
+                let mut block = Block::pending(cells.len(), store.files().precision);
                 block.put(0, &self.outcomes.read(cells.clone(), &Column::ALL)?);
                 if store.save_while(chunk, &block, &go_on)? {
                     // Some of them may have been there.

@@ -11,6 +11,7 @@ use super::identity::{Content, MAY_DIFFER};
 use super::shards_error::ShardsError;
 use crate::backend::report::{self, Report};
 use crate::results::about::Source;
+use crate::results::chunk_files::ChunkFiles;
 use crate::results::chunking::Chunking;
 use crate::results::identity::Identity;
 use crate::results::reader::{ChunkReader, ShardFolder, missing};
@@ -32,6 +33,7 @@ struct Piece {
     content: Content,
     report: Report,
     cells: Range<usize>,
+    files: ChunkFiles,
 }
 
 /// All shards of a map.
@@ -79,12 +81,10 @@ impl Shards {
         let mut held = Vec::new();
         let mut reports = Vec::new();
         for piece in pieces {
-            let precision = piece.content.columns();
-            held.push(ShardFolder { cells: piece.cells, folder: piece.place.clone(), precision });
+            held.push(ShardFolder { cells: piece.cells, files: piece.files });
             reports.push((piece.place, piece.report));
         }
-        let reader =
-            ChunkReader::new(Chunking::of(&grid), content.method.columns, held, grid.len());
+        let reader = ChunkReader::new(held, grid.len());
         let overlap = || ShardsError::Unreadable {
             place: reports[0].0.clone(),
             reason: "its chunks overlap".into(),
@@ -154,10 +154,14 @@ impl Piece {
         })?;
         let identity = Identity::new(written, content.shard);
         let grid = Grid::of(&content.scene);
-        let of = (identity.tag(), content.method.columns, content.columns());
-        let found = SavedChunks::in_folder(&place, &Chunking::of(&grid), of, &|cells| {
-            observer.advance(cells)
-        })?;
+        let files = ChunkFiles {
+            folder: place.clone(),
+            chunking: Chunking::of(&grid),
+            tag: identity.tag(),
+            columns: content.method.columns,
+            precision: content.columns(),
+        };
+        let found = SavedChunks::in_files(&files, &|cells| observer.advance(cells))?;
         let done = found.done();
         if let Some((place, reason)) = found.broken.into_iter().next() {
             return Err(match reason.is_of_another_run() {
@@ -175,7 +179,7 @@ impl Piece {
         }
         let report = serde_json::from_str(&text(REPORT, bounded::DOCUMENT)?)
             .map_err(|error| unreadable(REPORT, error))?;
-        Ok(Piece { identity, content, report, cells, place })
+        Ok(Piece { identity, content, report, cells, place, files })
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::sample::Chosen;
 use crate::backend::by_reference::by_reference;
@@ -15,7 +15,7 @@ use crate::work::observer::Observer;
 use crate::work::parallel;
 
 /// The surroundings of a cell whose outcome differs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Region {
     /// The contact force became tensile: the model is not valid there. Pictures hatch such cells.
@@ -61,7 +61,7 @@ impl Judged {
 }
 
 /// A cell on which sweep and reference disagree.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Difference {
     /// Values of the axes.
     pub at: Vec<f64>,
@@ -74,7 +74,7 @@ pub struct Difference {
 }
 
 /// The conclusion from the sample about the map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
     /// No outcome differs. Impacts, times and zeta of single cells may differ.
@@ -88,7 +88,7 @@ pub enum Verdict {
 }
 
 /// The results of the sample.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Verification {
     /// The conclusion about the map.
     pub verdict: Verdict,

@@ -46,7 +46,7 @@ fn asked() -> [ColumnSet; 5] {
 
 /// A cell's value in a column, as a number.
 fn value(cell: &Outcome, column: Column) -> f64 {
-    match (column.entry().shown)(cell) {
+    match column.entry().shown(cell) {
         Shown::Time(None) => -1.0,
         shown => shown.number(),
     }

@@ -84,7 +84,8 @@ fn tables_hold<R: Real>(scene: &Scene) {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap().full_model();
     let grid = Grid::of(scene);
     let numbers = all(&grid);
-    let cells = Cells::<R>::of(&plan, &grid, &numbers, &plan.record(), &Unwatched);
+    let record = plan.record();
+    let cells = Cells::<R>::of(&plan, &grid, &numbers, &record, &Unwatched);
     for index in 0..grid.len() {
         let (cell, state) = plan.cell::<R>(&grid.case(index));
         let (mut made, begun) = cells.begin(index);
@@ -108,8 +109,8 @@ fn cells_of_tables_are_those_of_their_points() {
     }
 }
 
-/// Holds the cells that a device makes against the host's, word by word: all but the friction, a
-/// quotient, which a device may round by 2.5 units in the last place. How many share their full
+/// Holds the cells that a device makes against the host's, word by word: all but the friction, for which
+/// a cell takes steps: a device may round these otherwise. How many share their full
 /// contact and how many have clocks of their own.
 fn device_makes<R: Real>(
     gpu: &Gpu,
@@ -121,7 +122,8 @@ fn device_makes<R: Real>(
     let grid = Grid::of(scene);
     let chosen = chosen(&grid);
     let numbers = all(&grid);
-    let host = Cells::<R>::of(&plan, &grid, &numbers, &plan.record(), &Unwatched);
+    let record = plan.record();
+    let host = Cells::<R>::of(&plan, &grid, &numbers, &record, &Unwatched);
     let sweeper = Sweeper::new(gpu, precision, plan.variant()).unwrap();
     for side in [0, 1] {
         let made = sweeper.make::<R>(&plan, &grid, &chosen, side).unwrap();
@@ -130,7 +132,7 @@ fn device_makes<R: Real>(
             let found = made.states[at];
             let error = (found.friction.to_f64() - state.friction.to_f64()).abs();
             let unit = if precision == Precision::F32 { 1.2e-7 } else { 2.3e-16 };
-            assert!(error <= 3.0 * unit * state.friction.to_f64(), "friction of {index}: {error}");
+            assert!(error <= 16.0 * unit * state.friction.to_f64(), "friction of {index}: {error}");
             state.friction = found.friction;
             assert_eq!(words(&made.cells[at]), words(&cell), "cell {index} of {scene:?}");
             assert_eq!(words(&found), words(&state), "cell {index} of {scene:?}");
@@ -232,7 +234,8 @@ fn a_mistake_in_making_cells_shows() {
     let scene = object(1, 0.2, (1.75, 0.75), 0.5, "0.2:15:24", "-7:15:24");
     let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
     let numbers = all(&grid);
-    let host = Cells::<f32>::of(&plan, &grid, &numbers, &plan.record(), &Unwatched);
+    let record = plan.record();
+    let host = Cells::<f32>::of(&plan, &grid, &numbers, &record, &Unwatched);
     let source = shader::source(Precision::F32, Switches::Forgotten);
     for (right, wrong) in [
         ("numbers[h + 4u],", "numbers[h + 5u],"),
@@ -279,7 +282,8 @@ fn a_cell_that_does_not_lift_is_done_with_its_motions() {
         without.shortcuts.full_contact = false;
         let cells = all(&grid);
         let alone = cpu::sweep(Precision::F64, &without, &grid, &cells, &Unwatched);
-        let made = Cells::<f64>::of(&plan, &grid, &cells, &plan.record(), &Unwatched);
+        let record = plan.record();
+        let made = Cells::<f64>::of(&plan, &grid, &cells, &record, &Unwatched);
         let (mut never_lift, mut done) = (0, 0);
         // One that begins between two tries goes on with the next.
         let swept = cpu::sweep(Precision::F64, &plan, &grid, &cells, &Unwatched);
@@ -324,7 +328,8 @@ fn a_cell_that_does_not_lift_is_done_with_its_motions() {
             false => assert_eq!(done, 0),
         }
         without.shortcuts = Shortcuts { certificate: false, ..plan.shortcuts };
-        let made = Cells::<f64>::of(&without, &grid, &cells, &plan.record(), &Unwatched);
+        let record = plan.record();
+        let made = Cells::<f64>::of(&without, &grid, &cells, &record, &Unwatched);
         assert!(cells.iter().all(|cell| made.begin(*cell).1.status != PROVED), "{base}");
     }
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::io::ErrorKind;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -12,12 +13,13 @@ use topple::backend::ready::Backend;
 use topple::model::precision::Precision;
 use topple::results::about::Source;
 use topple::results::block::Block;
-use topple::results::chunk::{Fault, check, decode_all, encode, pack, unpack};
+use topple::results::chunk::{Fault, check, encode, pack};
+use topple::results::chunk_files::ChunkFiles;
 use topple::results::chunking::Chunking;
 use topple::results::collector::{OutcomeCollector, Saver};
 use topple::results::column_set::ColumnSet;
 use topple::results::columns::Column;
-use topple::results::files::WriteError;
+use topple::results::files::{Directory, WriteError};
 use topple::results::reader::{ChunkReader, ShardFolder, missing};
 use topple::results::saved_chunks::SavedChunks;
 use topple::results::store::{Contents, Store};
@@ -91,6 +93,17 @@ fn packed(block: &Block, tag: u32) -> BTreeMap<&'static str, Vec<u8>> {
     zarr::columns(ColumnSet::ALL).map(of).collect()
 }
 
+/// The files of chunks of so many cells, of which the second has 4.
+fn files_of(folder: &Path, precision: Precision, most: usize) -> ChunkFiles {
+    ChunkFiles {
+        folder: folder.to_path_buf(),
+        chunking: Chunking::with(vec![most + 4], most),
+        tag: 7,
+        columns: ColumnSet::ALL,
+        precision,
+    }
+}
+
 #[test]
 fn a_chunk_holds_its_outcomes_bit_by_bit() {
     for precision in [Precision::F32, Precision::F64] {
@@ -98,9 +111,11 @@ fn a_chunk_holds_its_outcomes_bit_by_bit() {
             Precision::F32 => rounded(&outcomes()),
             Precision::F64 => outcomes(),
         };
-        let packed = packed(&block(&outcomes(), precision), 7);
-        let mut bytes = |array: &str, count| Ok::<_, ()>(unpack(&packed[array], count));
-        let block = decode_all((4, 6), (precision, ColumnSet::ALL), &mut bytes).unwrap().unwrap();
+        let folder = TempDir::new().unwrap();
+        let files = files_of(folder.path(), precision, 6);
+        let to = Directory::open(folder.path()).unwrap();
+        assert!(files.write(&to, 1, &block(&outcomes(), precision), &|| true).unwrap());
+        let block = files.read(1).unwrap();
         let mut read = vec![Outcome::PENDING; 4];
         block.read(0, &Column::ALL, &mut read);
         assert_eq!(read, expected);
@@ -173,7 +188,7 @@ fn open(
 
 /// Saves outcomes at the beginning of a chunk and, of the first, from cell 8 on.
 fn save(store: &Store, chunk: usize) {
-    let mut block = Block::pending(store.chunking().cells(chunk).len(), Precision::F32);
+    let mut block = Block::pending(store.files().chunking.cells(chunk).len(), Precision::F32);
     block.put(0, &outcomes());
     block.put(8 * (1 - chunk), &outcomes());
     store.save(chunk, &block).unwrap();
@@ -247,12 +262,9 @@ fn outcomes_are_read_across_chunks() {
         }
         store.discard().unwrap();
     }
-    let chunking = Chunking::of(&Grid::of(&scene));
-    let held =
-        |cells: Range<usize>| ShardFolder { cells, folder: "".into(), precision: Precision::F32 };
-    let reader = |held: &[ShardFolder]| {
-        ChunkReader::new(chunking.clone(), ColumnSet::ALL, held.to_vec(), 10)
-    };
+    let files = || files_of("".as_ref(), Precision::F32, 6);
+    let held = |cells: Range<usize>| ShardFolder { cells, files: files() };
+    let reader = |held: &[ShardFolder]| ChunkReader::new(held.to_vec(), 10);
     let (one, other) = (held(6..10), held(0..6));
     assert!(reader(&[one.clone(), other.clone()]).is_some());
     assert!(reader(std::slice::from_ref(&one)).is_none(), "cells are missing");
@@ -357,10 +369,14 @@ fn files_that_change_places_are_found() {
 /// Columns of another width are no values, though every byte is as it was written.
 #[test]
 fn a_chunk_of_another_length_is_refused() {
-    let packed = packed(&block(&outcomes(), Precision::F64), 7);
-    let mut bytes = |array: &str, count| Ok::<_, ()>(unpack(&packed[array], count));
-    assert!(decode_all((4, 6), (Precision::F32, ColumnSet::ALL), &mut bytes).unwrap().is_none());
-    assert!(decode_all((4, 5), (Precision::F64, ColumnSet::ALL), &mut bytes).unwrap().is_none());
+    let folder = TempDir::new().unwrap();
+    let to = Directory::open(folder.path()).unwrap();
+    let files = |precision, most| files_of(folder.path(), precision, most);
+    files(Precision::F64, 6).write(&to, 1, &block(&outcomes(), Precision::F64), &|| true).unwrap();
+    assert!(files(Precision::F64, 6).read(1).is_ok());
+    for files in [files(Precision::F32, 6), files(Precision::F64, 5)] {
+        assert_eq!(files.read(1).unwrap_err().kind(), ErrorKind::InvalidData);
+    }
 }
 
 /// What has no identity is no run's, be it the copy of a map: it stays, and is not mixed with a run's.
@@ -462,7 +478,7 @@ fn no_run_takes_away_what_another_saves() {
             };
             assert_eq!(running.fetch_add(1, Ordering::SeqCst), 0, "two runs in a folder");
             save(&store, 1);
-            assert!(store.is_used() && store.read(1).is_ok(), "what was saved is gone");
+            assert!(store.is_used() && store.files().read(1).is_ok(), "what was saved is gone");
             running.fetch_sub(1, Ordering::SeqCst);
             match ended % 3 {
                 0 => store.discard().unwrap(),
@@ -552,7 +568,7 @@ fn a_chunk_half_saved_again_is_as_it_was() {
     save(&store, 0);
     let status = out.path().join("unfinished/status/c/0/0");
     let before = fs::read(&status).unwrap();
-    let mut more = store.read(0).unwrap();
+    let mut more = store.files().read(0).unwrap();
     more.put(4, &outcomes());
     store.save(0, &more).unwrap();
     drop(store);

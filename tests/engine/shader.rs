@@ -354,8 +354,6 @@ fn constants_agree_with_the_twin() {
         ("MAGNITUDE_SO_FAR", motions::MAGNITUDE_SO_FAR as u32),
         ("LEAST", motions::LEAST as u32),
         ("MAGNITUDE", motions::MAGNITUDE as u32),
-        ("EIGHTHS_V", motions::EIGHTHS_V as u32),
-        ("QUARTERS_H", motions::QUARTERS_H as u32),
     ] {
         assert_eq!(value(name), twin, "{name}");
     }

@@ -6,8 +6,10 @@ use topple_studies::comparison::{self, Compared, Comparison, Rated};
 use topple_studies::suites::envelope::{CellEnvelope, Limits, NotKept};
 use topple_studies::suites::intensity::Intensity;
 
-use super::envelope::{between, digits};
-use super::fragility_words as told;
+use super::study_flags::RateFlags;
+use super::study_words::{
+    self as told, FALLS, LEAVES, between, digits, half, warn_of_falling, warn_of_few, warn_of_units,
+};
 use super::words::{Reporter, counted};
 use super::{fragility_rates, words};
 
@@ -46,8 +48,31 @@ fn kept(compared: &Comparison) -> String {
     }
 }
 
+/// Warns of what the results tell less well than they seem to.
+pub fn warn(compared: &Comparison, of: &RateFlags) {
+    let settings = &compared.settings;
+    let [falling, at_scales] = settings.falling;
+    warn_of_few(&settings.groups);
+    if let Some(hazard) = &settings.hazard {
+        let stripes = compared.devices.iter().flat_map(|device| &device.rate);
+        warn_of_units(stripes.flat_map(|rated| &rated.stripes), Some(hazard), of);
+        warn_of_falling(falling, of);
+        warn_of_crossings(compared, of.im);
+    }
+    if let Some(of) = at_scales {
+        words::warn(format!(
+            "at {} of {} factors of --scales, from {} on, {FALLS} under some motions{}: {LEAVES}",
+            of.levels,
+            of.of_levels,
+            of.from,
+            half(of.half.map(|factor| format!("from {factor} on"))),
+        ));
+    }
+    warn_of_model(compared);
+}
+
 /// Warns of curves of overturning that are above those of uplift.
-pub fn warn_of_crossings(compared: &Comparison, im: Intensity) {
+fn warn_of_crossings(compared: &Comparison, im: Intensity) {
     for (name, device) in compared.rows() {
         let Some(rated) = &device.rate else { continue };
         if let Some(crossing) = &rated.crossing {
@@ -60,7 +85,7 @@ pub fn warn_of_crossings(compared: &Comparison, im: Intensity) {
 }
 
 /// Warns of devices under which the model does not hold.
-pub fn warn_of_model(compared: &Comparison) {
+fn warn_of_model(compared: &Comparison) {
     let tensile = compared.rows().filter(|(_, device)| device.tensile > 0);
     let tensile: Vec<String> =
         tensile.map(|(name, device)| format!("{name} under {}", device.tensile)).collect();

@@ -14,11 +14,10 @@ use topple::scene::excitation::RecordText;
 use topple::scene::record::Provenance;
 use topple::scene::{Numbers, Parameter, Scene, SceneBuilder, bounded, shown};
 use topple::sweep::settings::Method;
+use topple_manifest::{Manifest, Run};
 use topple_studies::uncertain::Uncertainty;
 
-use super::history_table::MoreColumns;
 use super::map_file::{Besides, MapFile, SPECTRUM};
-use super::picture_flags::PictureFlags;
 
 /// What was run.
 pub struct EarlierRun {
@@ -36,48 +35,22 @@ pub struct EarlierRun {
     pub besides: Besides,
 }
 
-/// Of results what says that they are not run again.
-#[derive(Clone, Copy, Default, Deserialize)]
-struct Of {
-    kind: Option<Kind>,
-    /// Columns that leaves have in the place of a grid.
-    counts: Option<IgnoredAny>,
-}
-
-/// Of run.json, or of what a map's arrays say of themselves, what makes the run again.
+/// What a map's arrays say of themselves.
 #[derive(Deserialize)]
-struct Written {
-    #[serde(flatten)]
-    of: Of,
+struct Arrays {
     scene: Scene,
     record: Option<Provenance>,
-    backend: Option<String>,
-    /// The axes of a map's arrays, the last one first: there the scene's keys are in alphabetical order.
+    /// The axes, the last one first: the scene's keys are in alphabetical order.
     index: Option<Vec<Parameter>>,
-    /// How a map was refined.
-    refined: Option<Refined>,
-    /// How sharp its boundaries are: that it was requested is enough.
-    sharpness: Option<IgnoredAny>,
-    /// How its pictures are printed.
-    #[serde(default)]
-    pictures: PictureFlags,
-    /// More columns of a history.
-    #[serde(default)]
-    more_columns: MoreColumns,
-    /// Names of the files beside run.json.
-    #[serde(default)]
-    files: Vec<String>,
     #[serde(flatten)]
     method: Option<Method>,
-    #[serde(flatten)]
-    uncertainty: Option<Uncertainty>,
 }
 
-/// Of a map's refinement what was requested.
+/// Of what arrays say of themselves that they are leaves of a refined map, which have these columns in the place of a grid.
 #[derive(Deserialize)]
-struct Refined {
-    levels: Vec<IgnoredAny>,
-    smooth: Option<f64>,
+struct Leaves {
+    #[serde(rename = "counts")]
+    _counts: IgnoredAny,
 }
 
 /// The results at a path: a directory, a run.json, or a map's file; none where it is no such thing.
@@ -95,33 +68,33 @@ pub fn at(path: &Path) -> Option<Result<EarlierRun, String>> {
     let is_zarr = path.join(zarr::DOCUMENT).exists();
     let inside = path.is_dir() && !is_zarr;
     let folder = if inside { path } else { path.parent().unwrap_or(Path::new("")) };
-    let read = if is_zarr {
+    let run = |path: &Path| text_of(path).and_then(|text| of_run(&text, folder));
+    Some(if is_zarr {
         text_of(&path.join(zarr::DOCUMENT)).and_then(|text| {
             let Group { attributes } = serde_json::from_str(&text).map_err(unread)?;
-            parsed(&Value::Object(zarr::nested(attributes)).to_string())
+            of_arrays(&Value::Object(zarr::nested(attributes)).to_string(), folder)
         })
     } else if path.is_dir() {
         let inside = path.join(RUN);
         match inside.exists() {
-            true => text_of(&inside).and_then(|text| parsed(&text)),
+            true => run(&inside),
             false => Err(format!("a directory without {RUN}; give a scene's file, or results")),
         }
     } else if ends_in(path, "npz") {
         let about = npz::about(path)
             .map_err(|error| format!("{}; give a map of topple", shown::line(&error.to_string())));
-        about.and_then(|text| parsed(&text))
+        about.and_then(|text| of_arrays(&text, folder))
     } else if ends_in(path, "csv") {
         let beside = folder.join(RUN);
         match beside.exists() {
-            true => text_of(&beside).and_then(|text| parsed(&text)),
+            true => run(&beside),
             false => Err(format!("a table holds no scene, and no {RUN} lies beside it; give that")),
         }
     } else if ends_in(path, "json") {
-        text_of(path).and_then(|text| parsed(&text))
+        run(path)
     } else {
         return None;
-    };
-    Some(read.and_then(|written| written.again(folder)))
+    })
 }
 
 /// True of a directory with shards of a map and no whole one, and of a shard's own.
@@ -147,84 +120,87 @@ fn text_of(path: &Path) -> Result<String, String> {
     text.map_err(|error| format!("{error}; give results that can be read"))
 }
 
-fn parsed(text: &str) -> Result<Written, String> {
-    let written: Result<Written, _> = serde_json::from_str(text);
-    let of = match &written {
-        Ok(written) => written.of,
-        // What is not run again may lack a scene.
-        Err(_) => serde_json::from_str(text).unwrap_or_default(),
-    };
-    if let Some(problem) = of.kind.and_then(not_of_a_scene) {
-        return Err(problem.into());
-    }
-    if of.counts.is_some() {
-        return Err(format!("leaves of a refined map; give the {RUN} beside them"));
-    }
-    written.map_err(unread)
-}
-
 fn unread(error: serde_json::Error) -> String {
     let error = shown::line(&error.to_string());
     format!("no results of this version of topple ({error}); give a scene")
 }
 
-/// Why results of a kind are not run again by `topple run`; none where they are.
-fn not_of_a_scene(kind: Kind) -> Option<&'static str> {
-    match kind {
-        Kind::Map | Kind::History | Kind::Probability => None,
-        Kind::Suite => Some("a suite is no scene; read it again by topple suite"),
-        Kind::Envelope => Some("its run.json has no command; run it again by topple envelope"),
-        Kind::Fragility => Some("its run.json has no command; run it again by topple fragility"),
-        Kind::Comparison => Some("its run.json has no command; run it again by topple compare"),
-    }
+/// The run of a run.json.
+fn of_run(text: &str, folder: &Path) -> Result<EarlierRun, String> {
+    let Manifest { kind, run, files, .. } = Manifest::parse(text).map_err(unread)?;
+    let given = run.scene().cloned();
+    let scene = || match given {
+        Some(scene) => checked(&scene, run.record(), folder),
+        None => Err("it has no scene; give one".to_string()),
+    };
+    let mut besides = Besides {
+        spectrum: files.iter().any(|file| file == SPECTRUM),
+        files: MapFile::among(&files),
+        pictures: run.pictures().clone(),
+        ..Besides::default()
+    };
+    let (scene, method, backend, uncertainty) = match &run {
+        Run::Map(map) => {
+            besides.refine = map.refined.as_ref().map(|refined| refined.levels.len() as u32);
+            besides.smooth = map.refined.as_ref().and_then(|refined| refined.smooth);
+            besides.sharpness = map.sharpness.is_some();
+            (scene()?, map.method, map.backend.clone(), None)
+        }
+        Run::History(history) => {
+            besides.more_columns.clone_from(&history.more_columns);
+            (scene()?, history.method, history.backend.clone(), None)
+        }
+        Run::Probability(of) => (scene()?, of.method, of.backend.clone(), of.uncertainty.clone()),
+        Run::Suite(_) => return Err("a suite is no scene; read it again by topple suite".into()),
+        Run::Envelope(_) => return Err(without_command("envelope")),
+        Run::Fragility(_) => return Err(without_command("fragility")),
+        Run::Comparison(_) => return Err(without_command("compare")),
+    };
+    Ok(EarlierRun { kind, scene, method, backend, uncertainty, besides })
 }
 
-impl Written {
-    /// Checks the scene; files of its record that are not where they were are looked for in `folder` and in
-    /// the working directory.
-    fn again(mut self, folder: &Path) -> Result<EarlierRun, String> {
-        if let Some(index) = &self.index {
-            let mut numbers = Numbers::default();
-            for parameter in index.iter().rev() {
-                let values = self.scene.numbers.get(*parameter).cloned();
-                numbers.extend(values.map(|values| (*parameter, values)));
-            }
-            for (parameter, values) in self.scene.numbers.iter() {
-                numbers.set(parameter, values.clone());
-            }
-            self.scene.numbers = numbers;
-            // A map's arrays have the names of the files alone, run.json beside them has their places.
-            if let Some(record) = &self.record
-                && let Ok(text) = bounded::text(&folder.join(RUN), bounded::DOCUMENT)
-                && let Ok(beside) = serde_json::from_str::<Written>(&text)
-                && let Some(there) = beside.record
-                && there.without_folders() == record.without_folders()
-            {
-                self.record = Some(there);
-            }
-        }
-        let record = match (&self.record, self.scene.excitation.record()) {
-            (Some(record), _) => Some(RecordText::found(record, &[folder, Path::new("")])?),
-            (None, Some(_)) => {
-                let problem = "it does not say where its record lies; give that to topple seismic";
-                return Err(problem.into());
-            }
-            (None, None) => None,
-        };
-        let scene = SceneBuilder::again(&self.scene, record).check();
-        let scene = scene.map_err(|error| error.to_string())?;
-        let kind = self.of.kind.unwrap_or(Kind::Map);
-        let Written { method, backend, uncertainty, refined, sharpness, files, .. } = self;
-        let (pictures, more_columns) = (self.pictures, self.more_columns);
-        let besides = Besides {
-            refine: refined.as_ref().map(|refined| refined.levels.len() as u32),
-            smooth: refined.and_then(|refined| refined.smooth),
-            sharpness: sharpness.is_some(),
-            spectrum: files.iter().any(|file| file == SPECTRUM),
-            files: MapFile::among(&files),
-            pictures,
-            more_columns,
-        };
-        Ok(EarlierRun { kind, scene, method, backend, uncertainty, besides })
+fn without_command(command: &str) -> String {
+    format!("its {RUN} has no command; run it again by topple {command}")
+}
+
+/// The run of what a map's arrays say of themselves.
+fn of_arrays(text: &str, folder: &Path) -> Result<EarlierRun, String> {
+    if serde_json::from_str::<Leaves>(text).is_ok() {
+        return Err(format!("leaves of a refined map; give the {RUN} beside them"));
     }
+    let Arrays { mut scene, mut record, index, method } =
+        serde_json::from_str(text).map_err(unread)?;
+    let mut numbers = Numbers::default();
+    for parameter in index.iter().flatten().rev() {
+        let values = scene.numbers.get(*parameter).cloned();
+        numbers.extend(values.map(|values| (*parameter, values)));
+    }
+    for (parameter, values) in scene.numbers.iter() {
+        numbers.set(parameter, values.clone());
+    }
+    scene.numbers = numbers;
+    // They have the names of the record's files alone, run.json beside them has their places.
+    if let Some(bare) = &record
+        && let Ok(Manifest { run, .. }) = Manifest::read(&folder.join(RUN))
+        && let Some(there) = run.record()
+        && there.without_folders() == bare.without_folders()
+    {
+        record = Some(there.clone());
+    }
+    let scene = checked(&scene, record.as_ref(), folder)?;
+    let (kind, backend, uncertainty) = (Kind::Map, None, None);
+    Ok(EarlierRun { kind, scene, method, backend, uncertainty, besides: Besides::default() })
+}
+
+/// Checks a scene; files of its record that are not where they were are looked for in `folder` and in the working directory.
+fn checked(scene: &Scene, record: Option<&Provenance>, folder: &Path) -> Result<Scene, String> {
+    let record = match (record, scene.excitation.record()) {
+        (Some(record), _) => Some(RecordText::found(record, &[folder, Path::new("")])?),
+        (None, Some(_)) => {
+            let problem = "it does not say where its record lies; give that to topple seismic";
+            return Err(problem.into());
+        }
+        (None, None) => None,
+    };
+    SceneBuilder::again(scene, record).check().map_err(|error| error.to_string())
 }

@@ -1,41 +1,33 @@
 //! `topple envelope`.
 
-use serde::Serialize;
 use topple::results::earlier::Kind;
 use topple::scene::Grid;
 use topple::scene::record::rounded;
+use topple_manifest::{Run, Site, StudyRun};
+use topple_pictures::drawing::error::FigureError;
+use topple_pictures::drawing::picture::Picture;
+use topple_pictures::drawing::print::Print;
 use topple_pictures::drawing::share::percent;
-use topple_pictures::studies::{envelope as envelope_picture, envelope_curves};
-use topple_studies::suites::envelope::{
-    self, Best, CellEnvelope, Envelope, EnvelopeJob, EnvelopeRequest,
-};
+use topple_pictures::studies::{envelope as picture, envelope_curves};
+use topple_studies::fragility::HazardText;
+use topple_studies::suites::SuiteRequest;
+use topple_studies::suites::envelope::{Best, CellEnvelope, Envelope, EnvelopeRequest};
 use topple_studies::suites::swept_motion::Values;
-use topple_studies::suites::verified::Verified;
-use topple_studies::suites::{Falling, Resample};
 use topple_studies::uncertain::{SAMPLES, Varied};
 
-use super::errors::sweep_error;
-use super::fragility_words::{FALLS, LEAVES, warn_of_few};
-use super::further::FurtherFlags;
-use super::limits::{IntervalFlags, LimitFlags};
+use super::inputs::InputReader;
 use super::named::best;
-use super::numbers::RecordNumbers;
-use super::options::{CommonFlags, RunOptions, flag_error};
-use super::results_directory::{Place, picture_files};
-use super::suite_run::{self, SuiteFlags, SuiteManifest, Times};
+use super::study::StudyFlags;
+use super::study_flags::{FurtherFlags, IntervalFlags, LimitFlags, names, unknown};
+use super::study_words::{FALLS, LEAVES, between, digits, warn_of_few};
+use super::suite_run::warn_of_radius;
 use super::words::{self, Reporter, counted};
-use super::{InputError, examples, further, suite};
+use super::{InputError, examples};
 
 /// Sweep a scene under every motion of a suite: find the cells in which the block stands within given strokes.
 #[derive(clap::Args)]
 #[command(after_help = examples::ENVELOPE)]
-pub struct EnvelopeCommand {
-    #[command(flatten)]
-    common: CommonFlags,
-    #[command(flatten)]
-    record: RecordNumbers,
-    #[command(flatten)]
-    pub motions: SuiteFlags,
+pub struct EnvelopeFlags {
     #[command(flatten)]
     limits: LimitFlags,
     /// Which feasible cell is the best one: that with the largest reserve (steps of the grid to the nearest cell that fails), or with
@@ -53,130 +45,86 @@ pub struct EnvelopeCommand {
     /// Number of points of the distributions, best a power of two
     #[arg(long, value_name = "N", default_value_t = SAMPLES, help_heading = "Uncertainty", requires = "vary")]
     samples: u32,
-    #[command(flatten, next_help_heading = "Computing")]
-    pub options: RunOptions,
 }
 
-/// run.json of an envelope.
-#[derive(Serialize)]
-struct Manifest<'a> {
-    #[serde(flatten)]
-    suite: SuiteManifest<'a>,
-    standing: f64,
-    limit_u: Option<f64>,
-    limit_v: Option<f64>,
-    best: Best,
-    feasible: usize,
-    /// The best cell: its axes and its results; none if no cell is feasible.
-    best_cell: Option<usize>,
-    columns: Vec<&'static str>,
-    resample: Option<Resample>,
-    groups: Option<usize>,
-    seed: u32,
-    vary: &'a [Varied],
-    samples: Option<u32>,
-    /// The reference's results for a sample.
-    verified: &'a Verified,
-}
-
-/// The tables, and the name of the picture.
-const TABLE: &str = "envelope.csv";
-const ZETA: &str = "zeta.csv";
+/// The name of the picture.
 const PICTURE: &str = "envelope";
 
 /// Best cells that are printed.
 const BEST: usize = 3;
 
-impl EnvelopeCommand {
-    /// Runs the sweeps and writes the envelope.
-    pub fn run(&self) -> anyhow::Result<()> {
-        let options = &self.options;
-        let print = options.pictures.print().map_err(InputError)?;
-        let place = Place::of(&options.out, Kind::Envelope)?;
-        let text = self.common.text(Some("Envelope"), self.record.placed());
-        let limits = self.limits.limits();
-        let request = EnvelopeRequest {
+impl StudyFlags for EnvelopeFlags {
+    type Request = EnvelopeRequest;
+    type Record = topple_manifest::Envelope;
+
+    const KIND: Kind = Kind::Envelope;
+    const RUN: fn(Box<StudyRun<Self::Record>>) -> Run = Run::Envelope;
+    const TITLE: Option<&'static str> = Some("Envelope");
+
+    fn request(
+        &self,
+        suite: SuiteRequest,
+        _: Option<&HazardText>,
+        _: &mut InputReader,
+    ) -> Result<EnvelopeRequest, InputError> {
+        Ok(EnvelopeRequest {
             best: self.best,
             columns: self.further.columns(),
             resample: self.intervals.resample,
             vary: self.vary.clone(),
             samples: self.samples,
             seed: self.intervals.seed,
-            ..EnvelopeRequest::new(self.motions.request(&self.common, options, text)?, limits)
-        };
-        request.check().map_err(|error| flag_error(&error))?;
-        let names = [TABLE, ZETA].map(String::from).into_iter().chain(picture_files(PICTURE));
-        self.motions.refuse_foreign(&place, &names.collect::<Vec<_>>())?;
-        let suite = self.motions.read()?;
-        let say = Reporter::unless(options.quiet);
-        let EnvelopeJob { sweep, settings } = request.open(&suite).map_err(sweep_error)?;
-        let down = sweep.downward();
-        self.motions.refuse_others(&sweep, options)?;
-        suite::count(&suite, &say);
-        self.vary.iter().for_each(|varied| say.line("varies", varied));
-        self.motions.tell_of_scene(std::slice::from_ref(&sweep.scene), &say);
-        suite_run::tell_of_base(&sweep, options)?;
-        let times = Times::points(settings.times);
-        let Some(swept) = self.motions.run(sweep, times, options, &say)? else {
-            return Ok(());
-        };
-        let mut out = place.open()?;
-        let mut envelope = Envelope::of(swept, settings);
-        let swept = &envelope.sweep;
+            ..EnvelopeRequest::new(suite, self.limits.limits())
+        })
+    }
+
+    fn pictures(&self, _: &EnvelopeRequest) -> Vec<String> {
+        vec![PICTURE.into()]
+    }
+
+    fn varied(&self) -> &[Varied] {
+        &self.vary
+    }
+
+    fn draw(
+        &self,
+        envelope: &Envelope,
+        print: Print,
+    ) -> Result<Vec<(String, Picture)>, FigureError> {
         let title = format!("Envelope of {} motions", envelope.records());
-        let mut files = [TABLE, ZETA].map(String::from).to_vec();
-        let drawn = match swept.grid.line() {
-            Some(axis) => Some(envelope_curves::draw(&envelope, axis, &title, print)),
-            None => envelope_picture::draw(&envelope, &title, print)?,
+        let drawn = match envelope.sweep.grid.line() {
+            Some(axis) => Some(envelope_curves::draw(envelope, axis, &title, print)),
+            None => picture::draw(envelope, &title, print)?,
         };
-        if drawn.is_some() {
-            files.extend(picture_files(PICTURE));
-        }
-        out.begin(files, &say)?;
-        out.write(TABLE, |w| envelope::write(&envelope, w))?;
-        out.write(ZETA, |w| envelope::write_zeta(&envelope, w))?;
-        if let Some(drawn) = &drawn {
-            out.picture(PICTURE, drawn, &drawn.png()?)?;
-        }
-        let best = envelope.best();
+        Ok(drawn.map(|drawn| (PICTURE.to_string(), drawn)).into_iter().collect())
+    }
+
+    fn warn(&self, envelope: &Envelope) {
         let groups = envelope.settings.intervals.as_ref().map(|(groups, _)| groups);
         groups.into_iter().for_each(warn_of_few);
-        warn_of_falling(down.iter().step_by(envelope.settings.times.max(1)).flatten());
-        suite_run::warn_of_radius(swept);
-        let manifest = Manifest {
-            suite: self.motions.manifest(swept, (&suite, options)),
-            standing: limits.standing,
-            limit_u: limits.u,
-            limit_v: limits.v,
+        if let Some(of) = envelope.settings.falling {
+            let (some, all) = (of.runs, counted(of.of_runs, "motion"));
+            words::warn(format!("under {some} of {all} {FALLS}: {LEAVES}"));
+        }
+        warn_of_radius(&envelope.sweep);
+    }
+
+    fn record(&self, envelope: &Envelope, _: Site) -> Self::Record {
+        let best = envelope.best();
+        let intervals = envelope.settings.intervals.as_ref();
+        Self::Record {
+            limits: self.limits.record(),
             best: self.best,
             feasible: best.len(),
             best_cell: best.first().copied(),
-            columns: further::names(&envelope.settings.columns),
-            resample: groups.map(|groups| groups.by),
-            groups: groups.map(|groups| groups.count),
-            seed: self.intervals.seed,
-            vary: &self.vary,
-            samples: (!self.vary.is_empty()).then_some(self.samples),
-            verified: &swept.verified,
-        };
-        out.finish(&manifest)?;
-        tell(&envelope, &best, &say);
-        suite_run::tell_verified(swept, &say);
-        envelope.sweep.discard_saved()?;
-        if drawn.is_some() {
-            let [_, png] = picture_files(PICTURE);
-            say.line("picture", out.file(&png).display());
+            columns: names(&envelope.settings.columns),
+            drawn: self.intervals.record(intervals.map(|(groups, bootstrap)| (groups, bootstrap))),
+            unknown: unknown(&self.vary, self.samples),
         }
-        say.line("table", format!("{} with run.json", out.file(TABLE).display()));
-        Ok(())
     }
-}
 
-/// Warns of motions under which the ground accelerates downwards by more than g.
-fn warn_of_falling<'a>(down: impl Iterator<Item = &'a f64>) {
-    if let Some(of) = Falling::of(down.map(|down| (1.0, *down))) {
-        let (some, all) = (of.runs, counted(of.of_runs, "motion"));
-        words::warn(format!("under {some} of {all} {FALLS}: {LEAVES}"));
+    fn tell(&self, envelope: &Envelope, say: &Reporter) {
+        tell(envelope, &envelope.best(), say);
     }
 }
 
@@ -283,17 +231,4 @@ fn likely(envelope: &Envelope, cell: usize) -> String {
         text += &format!("; 95 %, by {}, {} of them", groups.by, groups.count);
     }
     text
-}
-
-/// A share in words.
-pub fn digits(share: f64) -> String {
-    rounded(share, 3).to_string()
-}
-
-/// The interval of a share, behind it.
-pub fn between(within: [Option<f64>; 2]) -> String {
-    match within {
-        [Some(low), Some(high)] => format!(" ({} to {})", digits(low), digits(high)),
-        _ => String::new(),
-    }
 }

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use crate::manifest::{Facts, Manifest, Steps, Timings};
+use crate::manifest::{self, Facts};
 use topple::backend::backend_error::BackendError;
 use topple::refine::refined::RefinedMap;
 use topple::results::earlier::RUN;
@@ -13,6 +13,7 @@ use topple::sweep::map::MapSweep;
 use topple::sweep::settings::VerifySettings;
 use topple::sweep::{verdict, verification};
 use topple::work::observer::Observer;
+use topple_manifest::Timings;
 use topple_pictures::map::slices;
 use topple_pictures::map::thinned::DRAWN;
 use topple_studies::Sharpness;
@@ -125,15 +126,15 @@ pub fn write(
         }
         map.verification = Some(verification);
     }
-    let manifest = Manifest::of(&map, &facts, took);
+    let run = manifest::of(&map, &facts, took);
     if map.verification.is_some() {
-        results.finish(&manifest)?;
+        results.finish(run.clone())?;
     }
     if to.talk.verbose {
-        say.line("time", words::phases(&manifest.timings));
+        say.line("time", words::phases(&took));
     }
     if to.talk.json {
-        print_line!("{}", serde_json::to_string_pretty(&results.run(&manifest))?);
+        print_line!("{}", serde_json::to_string_pretty(&results.run(run))?);
     }
     Ok(())
 }
@@ -186,11 +187,11 @@ fn files<'a>(
         screen.clear();
     }
     took.writing = began.elapsed().as_secs_f64();
-    let steps = Steps::of(&map.plan.at(map.method.precision), &map.grid);
+    let steps = manifest::steps(&map.plan.at(map.method.precision), &map.grid);
     let refined = to.refined.map(|refined| &refined.report);
     let facts =
         Facts { tally, steps, drawn, tag: to.tag, refined, sharpness, pictures: to.pictures };
-    results.finish(Manifest::of(map, &facts, *took))?;
+    results.finish(manifest::of(map, &facts, *took))?;
     map.discard_saved().map_err(sweep_error)?;
     let all = to.refined.map_or(map.grid.len(), |refined| refined.grid.len());
     let thinned = match cells == all {

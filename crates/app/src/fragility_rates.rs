@@ -6,7 +6,7 @@ use topple_studies::fragility::estimate::{Estimate, Note};
 use topple_studies::fragility::hazard::in_50_years;
 use topple_studies::fragility::limit_state::LimitState;
 use topple_studies::fragility::order::Crossing;
-use topple_studies::fragility::study::Study;
+use topple_studies::fragility::study::FragilityStudy;
 use topple_studies::fragility::{Gap, RateEstimate, Stripe};
 
 use super::words::{self, Reporter};
@@ -178,7 +178,7 @@ pub fn crosses(
 }
 
 /// Warns of curves that cross, though one limit state implies the other.
-pub fn warn_of_crossings(study: &Study, unit: &str) {
+pub fn warn_of_crossings(study: &FragilityStudy, unit: &str) {
     let states = &study.settings.states;
     if let [_] = study.cells[..] {
         for crossing in study.crossings(0) {

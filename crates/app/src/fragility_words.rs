@@ -1,53 +1,24 @@
 //! What is said of a fragility.
 
-use std::path::Path;
-
-use topple::results::files::Directory;
-use topple::scene::Values;
 use topple::scene::record::rounded;
 use topple_pictures::drawing::share::percent;
 use topple_studies::fragility::estimate::Estimate;
 use topple_studies::fragility::sensitivity::Sensitivity;
-use topple_studies::fragility::study::Study;
-use topple_studies::fragility::{Estimator, Export, HazardCurve, HazardText, Stripe};
-use topple_studies::suites::Falling;
+use topple_studies::fragility::study::FragilityStudy;
+use topple_studies::fragility::{Estimator, Export};
 use topple_studies::suites::intensity::Intensity;
-use topple_studies::suites::resample::{FEWEST_EVENTS, Groups, Resample};
 use topple_studies::uncertain::{Explained, Index};
 
 use super::fragility_rates as rates;
-use super::words::{self, Reporter, counted};
+use super::study_flags::RateFlags;
+use super::study_words::{intervals, unit, warn_of_falling, warn_of_few, warn_of_units};
+use super::words::{Reporter, counted};
 
 /// Most cells that are told one by one.
 const TOLD: usize = 1;
 
-/// Says which hazard curve was read.
-pub fn hazard(path: &Path, hazard: &HazardText, im: Intensity, say: &Reporter) {
-    let [low, high] = hazard.curve.ends().map(|level| rounded(level, 4));
-    let read = if [im.unit(), "m/s2"].contains(&hazard.unit) {
-        String::new()
-    } else {
-        format!(", read in {}", hazard.unit)
-    };
-    let (path, unit) = (path.display(), unit(im));
-    say.line("hazard", format!("{path}, {low} to {high}{unit}{read}; {}", hazard.source));
-}
-
-/// The unit of a measure behind a number.
-pub fn unit(im: Intensity) -> String {
-    if im.unit() == "1" { String::new() } else { format!(" {}", im.unit()) }
-}
-
-/// Says at which levels the motions are swept, where some are given.
-pub fn levels(levels: Option<&Values>, im: Intensity, say: &Reporter) {
-    if let Some(levels) = levels {
-        let written = |numbers: &str| format!("{} = {numbers}{}", im.symbol(), unit(im));
-        say.line("levels", topple::scene::words::values(levels, written));
-    }
-}
-
 /// What stands beside a curve of a single cell: why it is open, or that there is none.
-pub fn notes(study: &Study) -> Vec<String> {
+pub fn notes(study: &FragilityStudy) -> Vec<String> {
     let [cell] = &study.cells[..] else { return Vec::new() };
     let of_states = study.settings.states.iter().zip(&cell.states);
     let of_fits = of_states.flat_map(|(state, of)| {
@@ -60,95 +31,14 @@ pub fn notes(study: &Study) -> Vec<String> {
 }
 
 /// Warns of what the curves tell less well than they seem to.
-pub fn warn(study: &Study, im: Intensity, levels: Option<&Values>) {
+pub fn warn(study: &FragilityStudy, of: &RateFlags) {
     warn_of_few(&study.settings.groups);
     let states = study.cells.iter().flat_map(|cell| &cell.states);
     let stripes = states.flat_map(|of| &of.stripes);
-    warn_of_units(stripes, study.settings.hazard.as_ref(), (im, levels));
-    rates::warn_of_crossings(study, &unit(im));
+    warn_of_units(stripes, study.settings.hazard.as_ref(), of);
+    rates::warn_of_crossings(study, &unit(of.im));
+    warn_of_falling(study.settings.falling, of);
 }
-
-/// Warns of levels, or of motions as they are, at which the ground accelerates downwards by more than g.
-pub fn warn_of_falling(falling: Option<Falling>, (im, levels): (Intensity, Option<&Values>)) {
-    let Some(of) = falling else { return };
-    let at = |level: f64| format!("from {} = {}{} on", im.symbol(), rounded(level, 4), unit(im));
-    let from = at(of.from);
-    words::warn(match levels {
-        Some(_) => format!(
-            "at {} of {} levels, {from}, {FALLS} under some motions{}: {LEAVES}",
-            of.levels,
-            of.of_levels,
-            half(of.half.map(at))
-        ),
-        None => format!("under {} of {} motions, {from}, {FALLS}: {LEAVES}", of.runs, of.of_runs),
-    });
-}
-
-/// From where on half of the motions do so, where there is such a level.
-pub fn half(from: Option<String>) -> String {
-    from.map_or(String::new(), |from| format!(", {from} under half of them or more"))
-}
-
-/// What the ground does there, and what follows.
-pub const FALLS: &str = "the ground accelerates downwards by more than g";
-pub const LEAVES: &str = "the block would leave its base there; the model does not describe that, so do not rely on these results";
-
-/// Warns of intervals that are of few events, or would be: they are too narrow.
-pub fn warn_of_few(groups: &Groups) {
-    let few = |count: usize| count < FEWEST_EVENTS;
-    match (groups.by, groups.events) {
-        (Resample::Event, _) if few(groups.count) => words::warn(format!(
-            "the intervals are of {}; of fewer than {FEWEST_EVENTS} they are too narrow",
-            counted(groups.count, "event")
-        )),
-        (by, Some(events)) if few(events) && by != Resample::Event => words::warn(format!(
-            "the motions are of {}, too few for intervals by event ({FEWEST_EVENTS}); those by {by} are too narrow where motions of an \
-             event are alike",
-            counted(events, "event")
-        )),
-        (by, None) if few(groups.count) => words::warn(format!(
-            "the intervals are of {}; of fewer than {FEWEST_EVENTS} they are too narrow",
-            counted(groups.count, by.name())
-        )),
-        _ => {}
-    }
-}
-
-/// Warns of levels of which those that were meant may be in another unit: none of them does anything to a block, or none is a
-/// level of the hazard curve. Where nobody gave levels, those of the motions as they are tell of the curve alone.
-pub fn warn_of_units<'a>(
-    stripes: impl Iterator<Item = &'a Stripe>,
-    hazard: Option<&HazardCurve>,
-    (im, given): (Intensity, Option<&Values>),
-) {
-    let (mut low, mut high, mut fails) = (f64::MAX, 0.0_f64, false);
-    for stripe in stripes {
-        (low, high) = (low.min(stripe.level), high.max(stripe.level));
-        fails |= stripe.z > 0.0;
-    }
-    let ends = format!("{} to {}{}", rounded(low, 4), rounded(high, 4), unit(im));
-    if let Some([from, to]) = hazard.map(HazardCurve::ends)
-        && (high < from || low > to)
-    {
-        let side = if high < from { "below" } else { "above" };
-        let curve = format!("{} to {}{}", rounded(from, 4), rounded(to, 4), unit(im));
-        let all = match given {
-            Some(_) => format!("all levels, {ends}"),
-            None => format!("all motions as they are, {} {ends}", im.symbol()),
-        };
-        words::warn(format!(
-            "{all}, are {side} the hazard curve, {curve}: are both in the same unit?"
-        ));
-    }
-    if given.is_some() && im.unit() == "m/s²" && !fails && high < MEANT_IN_G {
-        words::warn(format!(
-            "no motion does anything at the levels, {ends}: levels are in m/s²; if they were meant in g, multiply them by 9.81"
-        ));
-    }
-}
-
-/// Highest level, m/s², that somebody may have meant in g: motions have a few g at most.
-const MEANT_IN_G: f64 = 5.0;
 
 /// What is said of a format in which nothing can be written.
 pub fn without_curves(export: Export) -> String {
@@ -159,7 +49,8 @@ pub fn without_curves(export: Export) -> String {
 }
 
 /// Says what was estimated: all of a cell, and of a grid how far theta reaches.
-pub fn tell(study: &Study, im: Intensity, target: Option<f64>, say: &Reporter) {
+pub fn tell(study: &FragilityStudy, say: &Reporter) {
+    let (im, target) = (study.settings.im, study.settings.target);
     say.line("intervals", intervals(&study.settings.groups, study.records().count()));
     if let [first, others @ ..] = &study.settings.estimators[..]
         && !others.is_empty()
@@ -269,21 +160,6 @@ fn use_of(first: Estimator, others: &[Estimator]) -> String {
     )
 }
 
-/// What is resampled for the intervals, in words.
-pub fn intervals(groups: &Groups, motions: usize) -> String {
-    let Groups { by, count, events, .. } = groups;
-    let motions = counted(motions, "motion");
-    let drawn = match (by, events) {
-        (Resample::Motion, _) => return format!("of 95 %, by motion: {motions}"),
-        (by, _) => counted(*count, by.name()),
-    };
-    let unknown = match (by, events) {
-        (Resample::Recording, None) => "; not every motion's event is known",
-        _ => "",
-    };
-    format!("of 95 %, by {by}: {motions} of {drawn}{unknown}")
-}
-
 /// A fit in words, theta with its unit and its measure.
 fn curve(fit: &Estimate, im: Intensity) -> String {
     let digits = |value: f64| rounded(value, 4).to_string();
@@ -322,7 +198,7 @@ fn curve(fit: &Estimate, im: Intensity) -> String {
 }
 
 /// Says what of a study is not in a file of another program.
-pub fn exported(export: Export, study: &Study, say: &Reporter) {
+pub fn exported(export: Export, study: &FragilityStudy, say: &Reporter) {
     let (states, cells) = export.left_out(study);
     let mut parts = Vec::new();
     if study.settings.estimators[0] == Estimator::Cloud {
@@ -342,11 +218,4 @@ pub fn exported(export: Export, study: &Study, say: &Reporter) {
     if !parts.is_empty() {
         say.line("export", format!("{}: {}", export.file(), parts.join("; ")));
     }
-}
-
-/// Files of a directory in words.
-pub fn listed(out: &Directory, names: &[String]) -> String {
-    let first = out.file(&names[0]).display().to_string();
-    let rest: Vec<&str> = names[1..].iter().map(String::as_str).collect();
-    format!("{first}, {}", rest.join(", "))
 }

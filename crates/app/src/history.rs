@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use crate::history_table::{self as table, MoreColumns};
-use serde::Serialize;
 use topple::backend::history as motion;
 use topple::backend::request::BackendRequest;
 use topple::model::asked::Asked;
@@ -12,16 +11,14 @@ use topple::results::earlier::Kind;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::excitation::RecordText;
-use topple::scene::record::Provenance;
 use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;
-use topple::sweep::settings::Method;
+use topple_manifest::{HistoryRun, Motion, Run};
 use topple_pictures::map::figure::history as figure;
 
 use super::load::load;
 use super::numbers::{PulseFlags, RecordNumbers};
 use super::options::{CommonFlags, RunOptions, flag_error};
-use super::picture_flags::PictureFlags;
 use super::record::RecordFlags;
 use super::results_directory::Place;
 use super::save::save;
@@ -49,25 +46,6 @@ pub struct HistoryCommand {
     columns: Option<MoreColumns>,
     #[command(flatten, next_help_heading = "Computing")]
     options: RunOptions,
-}
-
-/// run.json of a history.
-#[derive(Serialize)]
-struct Manifest<'a> {
-    scene: &'a Scene,
-    /// What the device's numbers make of the base's law.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    device: Option<DeviceNumbers>,
-    backend: &'static str,
-    record: Option<&'a Provenance>,
-    #[serde(flatten)]
-    method: Method,
-    outcome: &'a Outcome,
-    /// Columns of history.csv behind those that it has in any case.
-    #[serde(skip_serializing_if = "MoreColumns::is_empty")]
-    more_columns: &'a MoreColumns,
-    #[serde(skip_serializing_if = "PictureFlags::is_plain")]
-    pictures: &'a PictureFlags,
 }
 
 impl HistoryCommand {
@@ -171,17 +149,16 @@ pub fn run_cell(scene: &Scene, more: &MoreColumns, options: &RunOptions) -> anyh
     out.write(EVENTS, |w| table::write_events(&motion::events(&rows, &outcome), w))?;
     out.picture("history", &picture, &png)?;
     let backend = if options.backend() == BackendRequest::Reference { "reference" } else { "cpu" };
-    let manifest = Manifest {
-        scene,
+    out.finish(Run::History(Box::new(HistoryRun {
+        scene: Some(scene.clone()),
         device: DeviceNumbers::of(scene),
-        backend,
-        record: scene.excitation.provenance(),
-        method: options.method(),
-        outcome: &outcome,
-        more_columns: more,
-        pictures: &options.pictures,
-    };
-    out.finish(&manifest)?;
+        backend: Some(backend.into()),
+        record: scene.excitation.provenance().cloned(),
+        method: Some(options.method()),
+        outcome: Some(Motion::Whole(Box::new(outcome))),
+        more_columns: more.clone().into(),
+        pictures: options.pictures.record(),
+    })))?;
     let say = Reporter::unless(options.quiet);
     words::device(&say, None, scene);
     words::record(&say, scene);

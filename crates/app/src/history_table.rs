@@ -2,7 +2,6 @@
 
 use std::io::Write;
 
-use serde::{Deserialize, Serialize};
 use topple::backend::history::{Event, FORCE_COLUMNS, Forces, OfForces, Row};
 use topple::results::csv::Number;
 
@@ -10,8 +9,7 @@ use topple::results::csv::Number;
 pub const COLUMNS: [&str; 9] = ["t", "mode", "u", "du", "v", "dv", "z", "phi", "dphi"];
 
 /// Columns that are written where they are requested, behind the others: which of [`FORCE_COLUMNS`].
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(into = "String", try_from = "String")]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct MoreColumns([bool; FORCE_COLUMNS.len()]);
 
 impl std::str::FromStr for MoreColumns {
@@ -41,14 +39,6 @@ impl std::str::FromStr for MoreColumns {
 impl From<MoreColumns> for String {
     fn from(columns: MoreColumns) -> String {
         columns.columns().map(|(name, _)| name).collect::<Vec<_>>().join(",")
-    }
-}
-
-impl TryFrom<String> for MoreColumns {
-    type Error = String;
-
-    fn try_from(text: String) -> Result<MoreColumns, String> {
-        text.parse()
     }
 }
 

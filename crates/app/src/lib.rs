@@ -26,14 +26,11 @@ mod finish;
 mod fragility;
 mod fragility_rates;
 mod fragility_words;
-mod further;
-mod hazard;
 mod history;
 mod history_table;
 mod inputs;
 mod interrupt;
 mod licences;
-mod limits;
 mod load;
 mod manifest;
 mod map_file;
@@ -59,6 +56,9 @@ mod run;
 mod save;
 mod scene;
 mod seismic;
+mod study;
+mod study_flags;
+mod study_words;
 mod suite;
 mod suite_run;
 mod template;
@@ -102,11 +102,11 @@ enum Command {
     /// Read a set of records as one suite: pair the components, compute intensity measures
     Suite(suite::SuiteCommand),
     /// Sweep a scene under every motion of a suite: find the cells in which the block stands within given strokes
-    Envelope(Box<envelope::EnvelopeCommand>),
+    Envelope(Box<study::StudyCommand<envelope::EnvelopeFlags>>),
     /// Estimate how likely the block overturns under a suite, by the intensity of the motions
-    Fragility(Box<fragility::FragilityCommand>),
+    Fragility(Box<study::StudyCommand<fragility::FragilityFlags>>),
     /// Compare the devices of a list under every motion of a suite: shares, strokes, reserves, annual rates
-    Compare(Box<compare::CompareCommand>),
+    Compare(Box<study::StudyCommand<compare::CompareFlags>>),
     /// Write a report of runs for those who decide, as HTML or PDF
     Report(report::ReportCommand),
     /// Join the shards of a map made with --tile

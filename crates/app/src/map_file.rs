@@ -1,9 +1,7 @@
 //! Files of a map, and what a map has besides its cells.
 
 use topple::results::own;
-
-use super::history_table::MoreColumns;
-use super::picture_flags::PictureFlags;
+use topple_manifest::Pictures;
 
 /// A file that holds a whole map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -55,9 +53,9 @@ pub struct Besides {
     /// Its files.
     pub files: Vec<MapFile>,
     /// How its pictures are printed.
-    pub pictures: PictureFlags,
+    pub pictures: Pictures,
     /// More columns of a history.
-    pub more_columns: MoreColumns,
+    pub more_columns: String,
 }
 
 /// Most cells of a map that is written as a table: of 4096 x 4096 it has 2.5 GB.

@@ -383,7 +383,7 @@ impl MapOptions {
             ("--resolve", *resolve),
             ("--full-model", *full_model),
             ("--force", *force),
-            (PictureFlags::NAMES, !pictures.is_plain()),
+            (PictureFlags::NAMES, !pictures.record().is_plain()),
         ];
         let more = more.into_iter().filter(|(_, given)| *given).map(|(flag, _)| flag);
         self.not_of_a_history().into_iter().chain(more).collect()
@@ -400,7 +400,7 @@ impl MapOptions {
     /// Those of the plan, and of the numbers that are not known.
     pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
         self.run.pictures.print().map_err(InputError)?;
-        if self.tile.is_some() && !self.run.pictures.is_plain() {
+        if self.tile.is_some() && !self.run.pictures.record().is_plain() {
             let problem =
                 format!("a shard has no pictures; give {} to topple merge", PictureFlags::NAMES);
             return Err(InputError(format!("--tile: {problem}")));

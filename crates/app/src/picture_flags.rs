@@ -1,8 +1,8 @@
 //! What is asked of the pictures of a command.
 
-use serde::{Deserialize, Serialize};
 use topple::results::print_palette::Palette;
 use topple::scene::LONGEST_TITLE;
+use topple_manifest::Pictures;
 use topple_pictures::drawing::print::{Print, PrintError};
 
 use super::number_text::number;
@@ -11,29 +11,23 @@ use super::written::one_of;
 /// The heading of the flags: each has it of its own, so that what follows them does not.
 const HEADING: &str = "Pictures";
 
-/// How pictures are printed: the flags, and what run.json says of them.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, clap::Args)]
-#[serde(default)]
+/// How pictures are printed.
+#[derive(Debug, Clone, clap::Args)]
 pub struct PictureFlags {
     /// Title of the pictures, and of the run in a report; if there are several pictures, what each shows follows the title
     #[arg(long, value_name = "TEXT", help_heading = HEADING, value_parser = title)]
-    #[serde(skip_serializing_if = "Option::is_none")]
     title: Option<String>,
     /// Width of the pictures in print, 40 to 600 mm [default: 90; of a comparison 140]
     #[arg(long, value_name = "MM", help_heading = HEADING, value_parser = number, allow_negative_numbers = true)]
-    #[serde(skip_serializing_if = "Option::is_none")]
     width: Option<f64>,
     /// Font size of the pictures, 4 to 40 points; lines and marks scale with it [default: 7]
     #[arg(long, value_name = "PT", help_heading = HEADING, value_parser = number, allow_negative_numbers = true)]
-    #[serde(skip_serializing_if = "Option::is_none")]
     font_size: Option<f64>,
     /// Colours of the pictures [default: colour]
     #[arg(long, value_name = "NAME", help_heading = HEADING, value_parser = one_of::<Palette>())]
-    #[serde(skip_serializing_if = "Option::is_none")]
     palette: Option<Palette>,
     /// Draw the letters of SVG pictures as outlines, so that they need no font; such text can be neither searched nor edited
     #[arg(long, help_heading = HEADING)]
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
     outline_text: bool,
 }
 
@@ -41,9 +35,15 @@ impl PictureFlags {
     /// Their names, for messages.
     pub const NAMES: &str = "--title, --width, --font-size, --palette, --outline-text";
 
-    /// True where nothing is asked.
-    pub fn is_plain(&self) -> bool {
-        *self == PictureFlags::default()
+    /// What run.json says of them.
+    pub fn record(&self) -> Pictures {
+        Pictures {
+            title: self.title.clone(),
+            width: self.width,
+            font_size: self.font_size,
+            palette: self.palette,
+            outline_text: self.outline_text,
+        }
     }
 
     /// How pictures are printed.
@@ -68,7 +68,7 @@ impl PictureFlags {
     }
 
     /// Takes over what an earlier run asked for, where no flag says otherwise.
-    pub fn adopt(&mut self, earlier: PictureFlags) {
+    pub fn adopt(&mut self, earlier: Pictures) {
         self.title = self.title.take().or(earlier.title);
         self.width = self.width.or(earlier.width);
         self.font_size = self.font_size.or(earlier.font_size);

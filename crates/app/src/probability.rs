@@ -3,50 +3,21 @@
 use std::iter;
 use std::time::Instant;
 
-use serde::Serialize;
 use topple::results::block::bytes_a_cell;
-use topple::scene::record::Provenance;
 use topple::scene::{Grid, Scene};
-use topple::sweep::settings::Method;
+use topple_manifest::{ProbabilityRun, Run};
 use topple_pictures::drawing::share::percent;
 use topple_pictures::studies::probability as picture;
-use topple_studies::uncertain::Uncertainty;
 use topple_studies::uncertain::probability::{self, Probabilities};
 
 use super::errors::sweep_error;
 use super::memory;
 use super::options::{MapOptions, Verify};
-use super::picture_flags::PictureFlags;
 use super::print::print_line;
 use super::progress::Screen;
 use super::results_directory::{Place, picture_files};
 use super::words::{self, Reporter};
 use super::{InputError, device_remarks};
-
-/// run.json of a probability map.
-#[derive(Serialize)]
-struct Manifest<'a> {
-    /// The scene, numbers that vary at their own values.
-    scene: &'a Scene,
-    record: Option<&'a Provenance>,
-    #[serde(flatten)]
-    uncertainty: &'a Uncertainty,
-    backend: &'a str,
-    #[serde(flatten)]
-    method: Method,
-    cells: usize,
-    sweep_seconds: f64,
-    cells_per_second: f64,
-    /// The probability of overturning, its mean over the cells.
-    mean_probability: f64,
-    /// Share of the cells that have one outcome in all samples.
-    certain: f64,
-    largest_standard_error: f64,
-    /// Cells that the reference ran again, and those of another outcome.
-    verified: [usize; 2],
-    #[serde(skip_serializing_if = "PictureFlags::is_plain")]
-    pictures: &'a PictureFlags,
-}
 
 /// The table, and the name of the picture.
 const TABLE: &str = "probability.csv";
@@ -95,22 +66,22 @@ pub fn run(scene: &Scene, options: &MapOptions, place: Place) -> anyhow::Result<
         out.picture(PICTURE, drawn, &drawn.png()?)?;
     }
     let cells = grid.len() * uncertainty.samples as usize;
-    let manifest = Manifest {
-        scene,
-        record: scene.excitation.provenance(),
-        uncertainty: &uncertainty,
-        backend: &all.backend,
-        method: settings.method,
+    let run = Run::Probability(Box::new(ProbabilityRun {
+        scene: Some(scene.clone()),
+        record: scene.excitation.provenance().cloned(),
+        uncertainty: Some(uncertainty.clone()),
+        backend: Some(all.backend.clone()),
+        method: Some(settings.method),
         cells: grid.len(),
         sweep_seconds: all.seconds,
         cells_per_second: cells as f64 / all.seconds.max(1.0e-9),
-        mean_probability: all.mean(),
+        mean_probability: Some(all.mean()),
         certain: all.certain(),
         largest_standard_error: all.largest_error(),
         verified: all.verified,
-        pictures: &options.run.pictures,
-    };
-    out.finish(&manifest)?;
+        pictures: options.run.pictures.record(),
+    }));
+    out.finish(run.clone())?;
     let samples = format!("{} samples of {} cells", uncertainty.samples, grid.len());
     say.line("sweep", format!("{samples}, {}, {}", all.backend, words::speed(cells, all.seconds)));
     let one = format!("{} of the cells have one outcome in all samples", percent(all.certain()));
@@ -132,7 +103,7 @@ pub fn run(scene: &Scene, options: &MapOptions, place: Place) -> anyhow::Result<
         say.line("time", format!("sweep {:.2} s, files {rest:.2} s", all.seconds));
     }
     if options.talk.json {
-        print_line!("{}", serde_json::to_string_pretty(&out.run(&manifest))?);
+        print_line!("{}", serde_json::to_string_pretty(&out.run(run))?);
     }
     Ok(())
 }

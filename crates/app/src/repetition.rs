@@ -4,28 +4,14 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
-use serde::Deserialize;
 use topple::results::earlier::{Kind, RUN};
-use topple::scene::bounded;
 use topple::scene::path_text::PathText;
+use topple_manifest::{CommandLine, Manifest, Study};
 
-use super::command_line::CommandLine;
-use super::inputs::{self, Inputs};
 use super::options::MapOptions;
-use super::suite::Sources;
+use super::study::{StudyCommand, StudyFlags};
 use super::suite_run::Repeats;
 use super::{Arguments, Command, InputError};
-
-/// Of run.json what repeats a run under a suite.
-#[derive(Deserialize)]
-struct Written {
-    kind: Kind,
-    command: Option<CommandLine>,
-    #[serde(default)]
-    records: Sources,
-    #[serde(default)]
-    inputs: Inputs,
-}
 
 /// A run that is repeated: its command, and what its relative paths are looked for in.
 pub struct Repeated {
@@ -51,12 +37,9 @@ pub fn at(path: &Path) -> Option<Result<Repeated, String>> {
         false if ends_in("json") => path.to_path_buf(),
         false => return None,
     };
-    let bytes = bounded::read(&file, bounded::DOCUMENT).ok()?;
-    let Written { kind, command, records, inputs } = serde_json::from_slice(&bytes).ok()?;
-    if !matches!(kind, Kind::Envelope | Kind::Fragility | Kind::Comparison) {
-        return None;
-    }
-    let line = command?;
+    let Manifest { kind, run, .. } = Manifest::read(&file).ok()?;
+    let Study { command, records, .. } = run.study()?.clone();
+    let (line, inputs) = (command?, run.inputs().cloned().unwrap_or_default());
     let words = line.arguments.iter().map(|PathText(word)| OsString::from(word));
     let parsed = Arguments::try_parse_from([OsString::from("topple")].into_iter().chain(words));
     let other = || Err(format!("its command is not one of {}; give a scene", kind.name()));
@@ -87,32 +70,33 @@ impl Repeated {
             );
             return Err(InputError(problem).into());
         }
-        let Repeated { mut command, repeats, folder } = self;
-        let line = &repeats.line;
-        let (motions, run, hazard) = match &mut command {
-            Command::Envelope(of) => (&mut of.motions, &mut of.options, None),
-            Command::Fragility(of) => (&mut of.motions, &mut of.options, of.hazard.path_mut()),
-            Command::Compare(of) => {
-                of.devices = found(inputs::DEVICES, &of.devices, line, &folder)?;
-                (&mut of.motions, &mut of.options, of.hazard.path_mut())
-            }
-            _ => return Ok(()),
-        };
-        if let Some(hazard) = hazard {
-            *hazard = found(inputs::HAZARD, hazard, line, &folder)?;
-        }
-        let suite = found("--suite", motions.suite(), line, &folder)?;
-        motions.repeat(suite, repeats);
-        run.out.clone_from(&options.run.out);
-        run.quiet |= options.run.quiet;
-        run.threads = options.run.threads.or(run.threads);
+        let Repeated { command, repeats, folder } = self;
         match command {
-            Command::Envelope(command) => command.run(),
-            Command::Fragility(command) => command.run(),
-            Command::Compare(command) => command.run(),
+            Command::Envelope(command) => again(*command, repeats, &folder, options),
+            Command::Fragility(command) => again(*command, repeats, &folder, options),
+            Command::Compare(command) => again(*command, repeats, &folder, options),
             _ => Ok(()),
         }
     }
+}
+
+/// Runs a study again; the files that it reads are looked for.
+fn again<Own: StudyFlags>(
+    mut command: StudyCommand<Own>,
+    repeats: Repeats,
+    folder: &Path,
+    options: &MapOptions,
+) -> anyhow::Result<()> {
+    let StudyCommand { motions, own, options: run, .. } = &mut command;
+    for (flag, path) in own.files() {
+        *path = found(flag, path, &repeats.line, folder)?;
+    }
+    let suite = found("--suite", motions.suite(), &repeats.line, folder)?;
+    motions.repeat(suite, repeats);
+    run.out.clone_from(&options.run.out);
+    run.quiet |= options.run.quiet;
+    run.threads = options.run.threads.or(run.threads);
+    command.run()
 }
 
 /// A path of a run: where it was, beside the results, or in the working directory.

@@ -5,11 +5,11 @@ use std::fs;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use serde::Serialize;
 use topple::results::earlier::{self, Earlier, Kind};
 use topple::results::files::{Directory, WriteError};
 use topple::results::lock::Lock;
 use topple::results::store::Store;
+use topple_manifest::{Manifest, Run};
 use topple_pictures::drawing::letters;
 use topple_pictures::drawing::picture::Picture;
 use topple_studies::suites::saved;
@@ -48,7 +48,6 @@ pub fn write_picture(
 /// A directory that was looked at: nothing is made there yet.
 pub struct Place {
     path: PathBuf,
-    kind: Kind,
     /// What an earlier command left there.
     earlier: Earlier,
 }
@@ -75,7 +74,7 @@ impl Place {
             let problem = format!("{place} holds {other}; give {new} a directory of its own");
             return Err(refused(problem));
         }
-        Ok(Place { path: out.to_path_buf(), kind, earlier })
+        Ok(Place { path: out.to_path_buf(), earlier })
     }
 
     /// Refuses something that no run wrote and that has the place of one of these files.
@@ -132,24 +131,6 @@ pub struct Results {
     _held: Option<Held>,
 }
 
-/// run.json: what every command says, and what one has to say.
-#[derive(Serialize)]
-pub struct Run<'a, T> {
-    /// What the files are of.
-    kind: Kind,
-    /// Version of topple.
-    version: &'static str,
-    /// When it was written, in UTC.
-    date: String,
-    #[serde(flatten)]
-    what: T,
-    /// What the command warned of.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    warnings: Vec<String>,
-    /// The files beside it.
-    files: &'a [String],
-}
-
 impl Results {
     /// Says which files come, removes what an earlier command left that is not among them, and tells it.
     pub fn begin(&mut self, files: Vec<String>, say: &Reporter) -> anyhow::Result<()> {
@@ -183,21 +164,20 @@ impl Results {
         self.out.file(name)
     }
 
-    /// run.json with what a command has to say.
-    pub fn run<T: Serialize>(&self, what: T) -> Run<'_, T> {
-        let version = env!("CARGO_PKG_VERSION");
-        Run {
-            kind: self.place.kind,
-            version,
-            date: date::now(),
-            what,
+    /// run.json of a run.
+    pub fn run(&self, run: Run) -> Manifest {
+        Manifest {
+            kind: run.kind(),
+            version: env!("CARGO_PKG_VERSION").into(),
+            date: Some(date::now()),
+            run,
             warnings: words::warnings(),
-            files: &self.files,
+            files: self.files.clone(),
         }
     }
 
     /// Writes run.json.
-    pub fn finish(&self, what: impl Serialize) -> Result<(), WriteError> {
-        earlier::finish(&self.out, &self.run(what))
+    pub fn finish(&self, run: Run) -> Result<(), WriteError> {
+        earlier::finish(&self.out, &self.run(run))
     }
 }

@@ -7,6 +7,7 @@ use topple::results::earlier::{Kind, RUN};
 use topple::scene::builder::SceneBuilder;
 
 use super::earlier_run::{self, EarlierRun};
+use super::history_table::MoreColumns;
 use super::load::load;
 use super::options::MapOptions;
 use super::{InputError, examples, history, repetition, run, words};
@@ -71,7 +72,13 @@ impl RunCommand {
                 None => {}
             }
             return match kind {
-                Kind::History => history::run_cell(&scene, &besides.more_columns, &options.run),
+                Kind::History => {
+                    let more = match &*besides.more_columns {
+                        "" => MoreColumns::default(),
+                        names => names.parse().map_err(refused)?,
+                    };
+                    history::run_cell(&scene, &more, &options.run)
+                }
                 _ => run::run_map(&scene, &options),
             };
         }

@@ -3,24 +3,24 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use serde::{Deserialize, Serialize};
+use topple::backend::ready::Backend;
+use topple::backend::report::threads;
 use topple::model::precision::Precision;
 use topple::results::earlier::Kind;
+use topple::scene::path_text::PathText;
 use topple::scene::record::{Baseline, Provenance};
-use topple::scene::{path_text, shown};
+use topple::scene::shown;
+use topple_manifest::{Run, Source, Sources, SuiteRun};
 use topple_pictures::studies::suite as picture;
-use topple_studies::suites::measures::Measures;
 use topple_studies::suites::read::Reading;
-use topple_studies::suites::{Entry, Motion, Suite, SuiteError, table};
+use topple_studies::suites::{Suite, SuiteError, table};
 
-use super::command_line::CommandLine;
 use super::inputs::PUT_BACK;
-use super::manifest::Computed;
 use super::picture_flags::PictureFlags;
 use super::results_directory::Place;
 use super::words::{self, Reporter, counted, with_columns};
 use super::written::one_of;
-use super::{InputError, examples};
+use super::{InputError, command_line, examples};
 
 /// Read a folder, a zip or a list of records as one suite, and write a table of its motions.
 ///
@@ -46,80 +46,6 @@ pub struct SuiteCommand {
     quiet: bool,
     #[command(flatten)]
     pictures: PictureFlags,
-}
-
-/// run.json of a suite.
-#[derive(Serialize)]
-struct Manifest<'a> {
-    #[serde(serialize_with = "path_text::serialize")]
-    suite: &'a std::path::Path,
-    /// What repeats the run.
-    command: CommandLine,
-    motions: usize,
-    /// Of how many recordings they are.
-    recordings: usize,
-    /// Of how many earthquakes, where that of each motion is known.
-    events: Option<usize>,
-    /// Where each motion came from, its factor and its weight, by its id.
-    records: BTreeMap<&'a str, Source<'a>>,
-    /// Why lines have no motion, by their ids.
-    left_out: BTreeMap<&'a str, &'a str>,
-    /// Files that are no part of any line, each with what it is.
-    unused: BTreeMap<&'a str, &'a str>,
-    #[serde(flatten)]
-    computed: Computed<'a>,
-    /// Of the measures and spectra.
-    precision: Precision,
-    #[serde(skip_serializing_if = "PictureFlags::is_plain")]
-    pictures: &'a PictureFlags,
-}
-
-/// Where a motion came from, and how strong it is after scaling.
-#[derive(Serialize)]
-pub struct Source<'a> {
-    #[serde(flatten)]
-    files: Option<&'a Provenance>,
-    #[serde(skip_serializing_if = "str::is_empty")]
-    event: &'a str,
-    #[serde(skip_serializing_if = "str::is_empty")]
-    station: &'a str,
-    scale: f64,
-    weight: f64,
-    pga_h: f64,
-    pga_v: f64,
-    pgv: f64,
-}
-
-/// Where the motions of a suite came from, by their ids.
-pub fn sources(suite: &Suite) -> BTreeMap<&str, Source<'_>> {
-    let of = |(entry, motion)| {
-        let (entry, motion): (&Entry, &Motion) = (entry, motion);
-        let Measures { pga_h, pga_v, pgv, .. } = motion.measures;
-        let source = Source {
-            files: motion.pair.provenance.as_deref(),
-            event: &entry.event,
-            station: &entry.station,
-            scale: entry.scale,
-            weight: entry.weight,
-            pga_h,
-            pga_v,
-            pgv,
-        };
-        (entry.id.as_str(), source)
-    };
-    suite.motions().map(of).collect()
-}
-
-/// What an earlier run's motions were read from, by their ids.
-pub type Sources = BTreeMap<String, EarlierSource>;
-
-/// Of an earlier run's motion what says whether it is the same.
-#[derive(Debug, Clone, Deserialize)]
-pub struct EarlierSource {
-    #[serde(flatten)]
-    files: Option<Provenance>,
-    scale: f64,
-    weight: f64,
 }
 
 /// Refuses a suite that is not the one of an earlier run: a motion that is gone, is new, or has changed. An earlier run that
@@ -173,21 +99,22 @@ impl SuiteCommand {
         out.begin(files.map(String::from).to_vec(), &say)?;
         out.write(files[0], |w| table::write(&suite, w))?;
         out.picture("suite", &drawn, &png)?;
-        let manifest = Manifest {
-            suite: &self.path,
-            command: CommandLine::own(),
-            motions: suite.motions().count(),
-            recordings: suite.recordings().1,
-            events: suite.events(),
-            records: sources(&suite),
-            left_out: left_out(&suite),
-            unused: suite.unused.iter().map(|one| (&*one.file, &*one.why)).collect(),
-            computed: Computed::on_cpu(),
-            precision: Precision::F64,
-            pictures: &self.pictures,
-        };
         warn_of_doubts(&suite);
-        out.finish(&manifest)?;
+        out.finish(Run::Suite(Box::new(SuiteRun {
+            suite: Some(PathText(self.path.clone())),
+            command: Some(command_line::own()),
+            motions: suite.motions().count(),
+            recordings: Some(suite.recordings().1),
+            events: suite.events(),
+            records: Source::of(&suite),
+            left_out: left_out(&suite),
+            unused: suite.unused.iter().map(|one| (one.file.clone(), one.why.clone())).collect(),
+            backend: Some(Backend::Cpu.name().into()),
+            adapter: None,
+            threads: threads(),
+            precision: Some(Precision::F64),
+            pictures: self.pictures.record(),
+        })))?;
         tell(&suite, &say);
         say.line("picture", out.file(files[2]).display());
         say.line("table", format!("{} with run.json", out.file(files[0]).display()));
@@ -196,8 +123,8 @@ impl SuiteCommand {
 }
 
 /// Why lines of a suite have no motion, by their ids.
-pub fn left_out(suite: &Suite) -> BTreeMap<&str, &str> {
-    suite.left_out().map(|(entry, why)| (entry.id.as_str(), why)).collect()
+pub fn left_out(suite: &Suite) -> BTreeMap<String, String> {
+    suite.left_out().map(|(entry, why)| (entry.id.clone(), why.into())).collect()
 }
 
 /// Warns of lists that may be wrong, and of motions whose samples may be, the first of each kind with what it is.

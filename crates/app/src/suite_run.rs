@@ -1,36 +1,31 @@
 //! What commands have that sweep a scene under a suite: their flags, and the way from them to the sweep.
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use serde::Serialize;
 use topple::backend::report::threads;
 use topple::results::shard::Shard;
 use topple::results::store_error::StoreError;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::device_numbers::DeviceNumbers;
+use topple::scene::path_text::PathText;
 use topple::scene::record::Baseline;
-use topple::scene::{Grid, Parameter, Scene, Values, path_text};
+use topple::scene::{Grid, Parameter, Scene, Values};
 use topple::sweep::error::SweepError;
-use topple::sweep::settings::Method;
+use topple_manifest::{CommandLine, Source, Sources, Study};
 use topple_studies::suites::read::Reading;
 use topple_studies::suites::swept::{SuiteJob, SuiteSweep};
 use topple_studies::suites::verified::Verified;
 use topple_studies::suites::{Suite, SuiteRequest, saved};
 
-use super::command_line::CommandLine;
 use super::errors::sweep_error;
 use super::estimate::duration;
 use super::inputs::{InputReader, Inputs};
-use super::manifest::Computed;
 use super::options::{CommonFlags, RunOptions, Verify, flag_error};
-use super::picture_flags::PictureFlags;
 use super::progress::Screen;
 use super::results_directory::{self, Place};
-use super::suite::Source;
 use super::words::{Reporter, counted};
 use super::written::one_of;
-use super::{InputError, device_remarks, interrupt, suite, words};
+use super::{InputError, command_line, device_remarks, interrupt, suite, words};
 
 /// The motions, and how they are run. What is refused under a suite is not in the help: a friction, and a scene's file.
 #[derive(clap::Args)]
@@ -77,40 +72,9 @@ pub struct Repeats {
     /// The words that say so.
     pub line: CommandLine,
     /// What its motions were read from.
-    pub records: suite::Sources,
+    pub records: Sources,
     /// Checksums of the other files that it read.
     pub inputs: Inputs,
-}
-
-/// Numbers of run.json that every command with a suite has.
-#[derive(Serialize)]
-pub struct SuiteManifest<'a> {
-    /// The scene under the first motion.
-    scene: &'a Scene,
-    /// What the device's numbers make of the base's law.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    device: Option<DeviceNumbers>,
-    #[serde(serialize_with = "path_text::serialize")]
-    suite: &'a Path,
-    /// What repeats the run.
-    command: CommandLine,
-    /// The suite's motions, each once.
-    motions: Vec<&'a str>,
-    /// True where each motion is taken in both directions, as it is and reversed.
-    both_directions: bool,
-    /// Where the suite's motions came from, and how strong they are, by their ids.
-    records: BTreeMap<&'a str, Source<'a>>,
-    /// Why lines of the suite have no motion, by their ids.
-    left_out: BTreeMap<&'a str, &'a str>,
-    #[serde(flatten)]
-    computed: Computed<'a>,
-    #[serde(flatten)]
-    method: Method,
-    cells: usize,
-    sweep_seconds: f64,
-    records_times_cells_per_second: f64,
-    #[serde(skip_serializing_if = "PictureFlags::is_plain")]
-    pictures: &'a PictureFlags,
 }
 
 impl SuiteFlags {
@@ -220,12 +184,12 @@ impl SuiteFlags {
         Ok(suite)
     }
 
-    /// Runs a scene under motions, each at so many sets of numbers; none where no result is wanted: of a dry run,
+    /// Runs a scene under motions, each so many times for something; none where no result is wanted: of a dry run,
     /// and of a shard.
     pub fn run(
         &self,
         job: SuiteJob,
-        times: Times,
+        times: (usize, &str),
         options: &RunOptions,
         say: &Reporter,
     ) -> anyhow::Result<Option<SuiteSweep>> {
@@ -267,51 +231,27 @@ impl SuiteFlags {
     }
 
     /// What run.json says of a sweep, each of its records once.
-    pub fn manifest<'a>(
-        &'a self,
-        swept: &'a SuiteSweep,
-        (suite, options): (&'a Suite, &'a RunOptions),
-    ) -> SuiteManifest<'a> {
+    pub fn record(&self, swept: &SuiteSweep, suite: &Suite, options: &RunOptions) -> Study {
         let runs: usize = swept.motions.iter().map(|motion| motion.outcomes.len()).sum();
-        SuiteManifest {
-            scene: &swept.scene,
+        let repeats = self.repeats.as_ref().map(|of| of.line.clone());
+        Study {
+            scene: Some(swept.scene.clone()),
             device: DeviceNumbers::of(&swept.scene),
-            suite: &self.suite,
-            command: self.repeats.as_ref().map_or_else(CommandLine::own, |of| of.line.clone()),
-            motions: suite.motions().map(|(entry, _)| entry.id.as_str()).collect(),
+            suite: Some(PathText(self.suite.clone())),
+            command: Some(repeats.unwrap_or_else(command_line::own)),
+            motions: suite.motions().map(|(entry, _)| entry.id.clone()).collect(),
             both_directions: self.both_directions,
-            records: suite::sources(suite),
+            records: Source::of(suite),
             left_out: suite::left_out(suite),
-            computed: Computed {
-                backend: swept.backend,
-                adapter: swept.adapter.as_ref(),
-                threads: threads(),
-            },
-            method: options.method(),
+            backend: Some(swept.backend.into()),
+            adapter: swept.adapter.clone(),
+            threads: threads(),
+            method: Some(options.method()),
             cells: swept.grid.len(),
             sweep_seconds: swept.seconds,
             records_times_cells_per_second: runs as f64 / swept.seconds.max(1.0e-9),
-            pictures: &options.pictures,
+            pictures: options.pictures.record(),
         }
-    }
-}
-
-/// Why each motion is swept several times.
-#[derive(Clone, Copy)]
-pub struct Times {
-    count: usize,
-    what: &'static str,
-}
-
-impl Times {
-    /// The number of points of the numbers that are not known.
-    pub fn points(count: usize) -> Times {
-        Times { count, what: "sets of numbers" }
-    }
-
-    /// With so many devices.
-    pub fn devices(count: usize) -> Times {
-        Times { count, what: "devices" }
     }
 }
 
@@ -336,8 +276,8 @@ pub fn warn_of_radius(swept: &SuiteSweep) {
     }
 }
 
-/// How much is swept, in words: cells, motions, levels.
-fn size(job: &SuiteJob, times: Times, levels: usize) -> String {
+/// How much is swept, in words: cells, motions, what each is swept several times for, levels.
+fn size(job: &SuiteJob, (count, what): (usize, &str), levels: usize) -> String {
     let counts: Vec<String> = job
         .grid
         .axes()
@@ -349,7 +289,6 @@ fn size(job: &SuiteJob, times: Times, levels: usize) -> String {
         true => "1 cell".to_string(),
         false => format!("{} cells", counts.join(" x ")),
     };
-    let Times { count, what } = times;
     // A shard has a part of them.
     let motions = job.motions().len().div_ceil(count.max(1));
     let mut text = format!("{cells} under {}", counted(motions, "motion"));

@@ -6,7 +6,6 @@ use anstyle::Style;
 
 use super::call::{Call, lock};
 use super::print::{self, NOTICE, PLAIN, RIGHT, WRONG};
-use crate::manifest::Timings;
 use topple::Written;
 use topple::backend::ready::Backend;
 use topple::backend::report::{Report, threads};
@@ -25,6 +24,7 @@ use topple::stepping::outcome::Class;
 use topple::sweep::repaired::Repair;
 use topple::sweep::verdict;
 use topple::sweep::verification::{Verdict, Verification};
+use topple_manifest::Timings;
 use topple_pictures::drawing::letters::Missing;
 use topple_pictures::drawing::share;
 use topple_studies::sharpness::{Estimate, Sharpness};

@@ -136,7 +136,7 @@ fn columns(outcome: &Outcome) -> Object<String, Value> {
     };
     ColumnSet::ALL
         .entries()
-        .map(|entry| (entry.name.to_string(), value((entry.shown)(outcome))))
+        .map(|entry| (entry.name.to_string(), value(entry.shown(outcome))))
         .collect()
 }
 

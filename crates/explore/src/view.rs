@@ -163,7 +163,7 @@ fn arrays<'a>(map: &Map, columns: &'a [String]) -> Vec<(&'a str, Array)> {
     ];
     for name in columns {
         let Some(entry) = TABLE.iter().find(|entry| entry.name == name) else { continue };
-        let numbers = map.outcomes.iter().map(|outcome| (entry.shown)(outcome).number());
+        let numbers = map.outcomes.iter().map(|outcome| entry.shown(outcome).number());
         let array = match entry.kind {
             ColumnKind::Class | ColumnKind::Status => {
                 Array::Bytes(numbers.map(|code| code as u8).collect())

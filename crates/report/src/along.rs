@@ -1,6 +1,5 @@
 //! A map along one axis, in a sentence: at which values the block stands, rocks or overturns.
 
-use topple::results::earlier::Kind;
 use topple::scene::Parameter;
 use topple::scene::record::rounded;
 
@@ -8,19 +7,18 @@ use super::folder::{Folder, ReportError, Row};
 use super::tables::value;
 
 /// Values of an axis up to which a table is read for a sentence.
-const MOST: f64 = 1.0e4;
+const MOST: usize = 10_000;
 /// Stretches of one outcome that are named.
 const NAMED: usize = 8;
 
-/// What becomes of the block along the only axis of a map, from its least to its largest value; none of another run, and none of
-/// a map without map.csv.
+/// What becomes of the block along the only axis of a map, from its least to its largest value; none without map.csv.
 ///
 /// # Errors
 /// [`ReportError::File`]: a table that cannot be read, or is not that of the run.
-pub fn of(folder: &Folder) -> Result<Option<String>, ReportError> {
-    let swept = folder.scene.as_ref().map(|scene| scene.swept()).unwrap_or_default();
-    let ([axis], Some(cells)) = (&swept[..], folder.number("cells")) else { return Ok(None) };
-    if folder.kind != Kind::Map || cells > MOST {
+pub fn of(folder: &Folder, cells: usize) -> Result<Option<String>, ReportError> {
+    let swept = folder.scene().map(|scene| scene.swept()).unwrap_or_default();
+    let [axis] = &swept[..] else { return Ok(None) };
+    if cells > MOST {
         return Ok(None);
     }
     let Some(rows) = folder.table("map.csv")? else { return Ok(None) };
@@ -29,7 +27,7 @@ pub fn of(folder: &Folder) -> Result<Option<String>, ReportError> {
     if !rows.first().is_some_and(|row| row.contains_key("outcome")) {
         return Ok(None);
     }
-    if points.len() as f64 != cells || points.iter().any(|(at, _)| !at.is_finite()) {
+    if points.len() != cells || points.iter().any(|(at, _)| !at.is_finite()) {
         let problem = format!("it has not the {cells} values that run.json tells of");
         return Err(ReportError::File(folder.path.join("map.csv"), problem));
     }

@@ -1,9 +1,11 @@
 //! The whole of a report: what was asked, the block, the motions, what was found, how far it was checked, what is left out, how to
 //! repeat it.
 
-use serde_json::Value;
 use topple::results::earlier::{Kind, RUN};
+use topple::scene::path_text::{self, PathText};
+use topple::scene::record::{Baseline, Provenance, RecordFile};
 use topple::scene::{Excitation, GRAVITY, Scene, shown, words};
+use topple_manifest::{CommandLine, Run, Source, Sources};
 use topple_pictures::drawing::picture::Picture;
 use topple_studies::uncertain::Varied;
 
@@ -25,7 +27,7 @@ pub fn of(folders: &[Folder], asked: Option<&str>) -> Result<Document, ReportErr
         pieces.push(Piece::List(summary::of(folder)?));
     }
     pieces.push(Piece::Heading(1, "What was asked".into()));
-    let questions = folders.iter().map(|folder| match &folder.scene {
+    let questions = folders.iter().map(|folder| match folder.scene() {
         Some(scene) => format!("{}: {}", title(folder), sentence(folder, scene)),
         None => format!("{}: {}", title(folder), findings::question(folder)),
     });
@@ -64,7 +66,7 @@ pub fn of(folders: &[Folder], asked: Option<&str>) -> Result<Document, ReportErr
 fn warnings(folders: &[Folder]) -> Vec<Piece> {
     let of = |folder| {
         let folder: &Folder = folder;
-        folder.warnings.iter().map(|warning| format!("{}: {warning}", title(folder)))
+        folder.manifest.warnings.iter().map(|warning| format!("{}: {warning}", title(folder)))
     };
     let all: Vec<String> = folders.iter().flat_map(of).collect();
     match all.is_empty() {
@@ -100,11 +102,11 @@ fn scaled(folder: &Folder) -> String {
 
 /// Of how many motions of a suite the baseline was changed; nothing where it was of none.
 fn corrected(folder: &Folder) -> String {
-    let records = folder.run.get("records").and_then(Value::as_object);
-    let is_changed = |record: &&Value| {
-        record.get("baseline").and_then(Value::as_str).is_some_and(|baseline| baseline != "none")
+    let is_changed = |source: &&Source| {
+        let baseline = source.files.as_ref().and_then(|files| files.treatment.baseline);
+        baseline.is_some_and(|baseline| baseline != Baseline::None)
     };
-    match records.into_iter().flatten().map(|(_, record)| record).filter(is_changed).count() {
+    match folder.run().records().into_iter().flat_map(Sources::values).filter(is_changed).count() {
         0 => String::new(),
         count => format!(
             " From the velocity of {count} of them a straight line was subtracted, so that the ground ends nearly at rest; the notes of the suite \
@@ -117,12 +119,14 @@ fn corrected(folder: &Folder) -> String {
 fn title(folder: &Folder) -> String {
     let name = folder.path.file_name().map(|name| name.to_string_lossy());
     let name = name.unwrap_or_else(|| folder.path.to_string_lossy());
-    match &folder.scene {
-        _ if folder.title().is_some() => format!("{} ({name})", folder.title().unwrap_or_default()),
+    match (folder.title(), folder.scene()) {
+        (Some(title), _) => format!("{title} ({name})"),
         // The scene of a comparison is that of its first device.
-        Some(scene) if folder.kind != Kind::Comparison => format!("{} ({name})", scene.title),
+        (_, Some(scene)) if folder.manifest.kind != Kind::Comparison => {
+            format!("{} ({name})", scene.title)
+        }
         _ => {
-            let kind = folder.kind.name();
+            let kind = folder.manifest.kind.name();
             let kind = kind.split_once(' ').map_or(kind, |(_, kind)| kind);
             let mut letters = kind.chars();
             let first = letters.next().map(|first| first.to_uppercase().to_string());
@@ -151,15 +155,15 @@ fn sentence(folder: &Folder, scene: &Scene) -> String {
         });
         text += &format!(" Varied: {}.", ranges.collect::<Vec<_>>().join("; "));
     }
-    if folder.kind != Kind::Comparison {
-        let varied = folder.varied();
-        let scene = &Varied::fixed(scene, &varied);
+    if folder.manifest.kind != Kind::Comparison {
+        let varied = folder.run().varied();
+        let scene = &Varied::fixed(scene, varied);
         if !varied.is_empty() {
             let words: Vec<String> = varied.iter().map(Varied::words).collect();
             text += &format!(" Not known exactly: {}.", words.join("; "));
         }
         // The scene of a suite's runs has the peaks of its first motion.
-        let fixed = match folder.run.get("motions") {
+        let fixed = match folder.run().study() {
             Some(_) => words::fixed(scene),
             None => words::parameters(scene),
         };
@@ -177,14 +181,14 @@ fn blocks(folders: &[Folder]) -> Vec<Piece> {
     let mut drawn: Vec<Picture> = Vec::new();
     let mut pieces = Vec::new();
     for folder in folders {
-        let varied = folder.varied();
+        let varied = folder.run().varied();
         for scene in folder.scenes() {
-            let Some(case) = block::case(&scene) else { continue };
-            let picture = block::draw(&scene, &case);
+            let Some(case) = block::case(scene) else { continue };
+            let picture = block::draw(scene, &case);
             if drawn.contains(&picture) || drawn.len() == BLOCKS {
                 continue;
             }
-            let mut caption = block::caption(&scene, &case);
+            let mut caption = block::caption(scene, &case);
             if !varied.is_empty() {
                 let names: Vec<&str> =
                     varied.iter().map(|one| one.parameter.entry().symbol).collect();
@@ -212,20 +216,22 @@ fn motions(folders: &[Folder]) -> Vec<Piece> {
     let mut lines: Vec<(String, String)> = Vec::new();
     let mut tables: Vec<Piece> = Vec::new();
     for folder in folders {
-        let line = match (folder.run.get("motions").and_then(Value::as_array), &folder.scene) {
-            (Some(all), _) => {
-                let names: Vec<&str> = all.iter().filter_map(Value::as_str).take(NAMED).collect();
+        let line = match (folder.run().study(), folder.scene()) {
+            (Some(study), _) => {
+                let all = &study.motions;
+                let names: Vec<&str> = all.iter().take(NAMED).map(String::as_str).collect();
                 let more = if all.len() > NAMED { ", …" } else { "" };
-                let suite = folder.text("suite").unwrap_or_default();
-                let left_out = match folder.left_out().len() {
+                let suite = study.suite.as_ref();
+                let suite = suite.map_or("".into(), |PathText(path)| path_text::text(path));
+                let left_out = match study.left_out.len() {
                     0 => String::new(),
                     1 => " One line of it has no motion.".to_string(),
                     count => format!(" {count} lines of it have no motion."),
                 };
-                let turned = match folder.is_in_both_directions() {
+                let turned = match study.both_directions {
                     true => format!(
                         " Each is taken in both directions, as it is and reversed: {} motions in all.",
-                        folder.motions()
+                        study.motions()
                     ),
                     false => String::new(),
                 };
@@ -265,16 +271,13 @@ fn motions(folders: &[Folder]) -> Vec<Piece> {
 
 /// How strong the motions of a suite are, the strongest first; nothing where the run does not tell it.
 fn strengths(folder: &Folder) -> Vec<Piece> {
-    let records = folder.run.get("records").and_then(Value::as_object);
     // A suite has its own table among what was found.
-    let records = records.filter(|_| folder.kind != Kind::Suite);
-    let told = records.into_iter().flatten().filter_map(|(id, of)| {
-        let value = |key: &str| of.get(key).and_then(Value::as_f64);
-        let text = |key: &str| of.get(key).and_then(Value::as_str).unwrap_or("–").to_string();
-        let (pga, pga_v) = (value("pga_h")?, value("pga_v")?);
-        let vertical = if pga_v == 0.0 { "none".into() } else { number(pga_v) };
-        let cells = [number(pga), vertical, number(value("pgv")?)];
-        Some((pga, [vec![id.clone(), text("event"), text("station")], cells.to_vec()].concat()))
+    let records = folder.run().study().into_iter().flat_map(|study| &study.records);
+    let told = records.map(|(id, of)| {
+        let text = |text: &str| if text.is_empty() { "–" } else { text }.to_string();
+        let vertical = if of.pga_v == 0.0 { "none".into() } else { number(of.pga_v) };
+        let names = [id.clone(), text(&of.event), text(&of.station)];
+        (of.pga_h, [names, [number(of.pga_h), vertical, number(of.pgv)]].concat())
     });
     let mut told: Vec<(f64, Vec<String>)> = told.collect();
     if told.is_empty() {
@@ -291,10 +294,8 @@ fn strengths(folder: &Folder) -> Vec<Piece> {
     ];
     let rows: Vec<Vec<String>> = told.into_iter().map(|(_, row)| row).collect();
     let count = rows.len();
-    let scaled = match folder.kind {
-        Kind::Fragility if folder.run.get("levels").is_some_and(|levels| !levels.is_null()) => {
-            ", before they are scaled to levels"
-        }
+    let scaled = match folder.run() {
+        Run::Fragility(run) if run.own.levels.is_some() => ", before they are scaled to levels",
         _ => "",
     };
     let some = match count > ROWS {
@@ -341,17 +342,13 @@ fn day(date: &str) -> String {
 
 /// Why no command repeats a run; none where one does.
 fn unrepeatable(folder: &Folder) -> Option<&'static str> {
-    let is_told = |key: &str| folder.run.get(key).is_some_and(|value| !value.is_null());
-    let recorded = folder.scene.as_ref().is_some_and(|scene| scene.excitation.record().is_some());
-    match folder.kind {
-        Kind::Suite | Kind::Envelope | Kind::Fragility | Kind::Comparison
-            if !is_told("command") =>
-        {
-            Some(
-                "No command repeats it: its run.json does not say which one was given. Give the whole command again.",
-            )
-        }
-        Kind::Map | Kind::History | Kind::Probability if recorded && !is_told("record") => Some(
+    let run = folder.run();
+    let recorded = folder.scene().is_some_and(|scene| scene.excitation.record().is_some());
+    match (run.records(), run.command()) {
+        (Some(_), None) => Some(
+            "No command repeats it: its run.json does not say which one was given. Give the whole command again.",
+        ),
+        (None, _) if recorded && run.record().is_none() => Some(
             "No command repeats it: its run.json does not say where its record lies. Give the record to topple seismic again.",
         ),
         _ => None,
@@ -369,36 +366,35 @@ fn repeated(folder: &Folder, told: &mut Vec<String>) -> Vec<Piece> {
     let mut pieces = vec![Piece::Text(format!(
         "{}: topple {}{}, results in {}. Everything about the run is in its {RUN}.",
         title(folder),
-        folder.version,
-        folder.date.as_deref().map_or(String::new(), |date| format!(", {}", day(date))),
+        folder.manifest.version,
+        folder.manifest.date.as_deref().map_or(String::new(), |date| format!(", {}", day(date))),
         folder.path.display()
     ))];
     if let Some(problem) = unrepeatable(folder) {
         pieces.push(Piece::Text(problem.into()));
         return pieces;
     }
-    let command = folder.run.get("command").and_then(|command| command.get("arguments"));
-    let arguments = command.and_then(Value::as_array);
-    let mut lines = match arguments {
-        Some(arguments) => {
-            let words = arguments.iter().filter_map(Value::as_str).map(shown::word);
-            vec![std::iter::once("topple".to_string()).chain(words).collect::<Vec<_>>().join(" ")]
+    let lines = match folder.run().command() {
+        Some(CommandLine { arguments, directory }) => {
+            let word = |PathText(path): &PathText| shown::word(&path_text::text(path));
+            let words = std::iter::once("topple".to_string()).chain(arguments.iter().map(word));
+            let command = words.collect::<Vec<_>>().join(" ");
+            vec![format!("cd {}", word(directory)), command]
         }
         None => {
             let path = shown::word(&folder.path.to_string_lossy());
             vec![format!("topple run {path} --out {}", again(folder))]
         }
     };
-    if let Some(place) = folder.run.get("command").and_then(|command| command.get("directory"))
-        && let Some(place) = place.as_str()
-    {
-        lines.insert(0, format!("cd {}", shown::word(place)));
-    }
     pieces.push(Piece::Code(lines));
-    let mut hashes = Vec::new();
-    for key in ["record", "records"] {
-        if let Some(of) = folder.run.get(key) {
-            gather(of, &mut hashes);
+    let run = folder.run();
+    let of_suite = run.records().into_iter().flat_map(Sources::values);
+    let read = run.record().into_iter().chain(of_suite.filter_map(|source| source.files.as_ref()));
+    let mut hashes: Vec<String> = Vec::new();
+    for RecordFile { path, sha256, .. } in read.flat_map(Provenance::files) {
+        let line = format!("{sha256}  {}", path_text::text(path));
+        if !hashes.contains(&line) {
+            hashes.push(line);
         }
     }
     let all = hashes.len();
@@ -418,18 +414,4 @@ fn repeated(folder: &Folder, told: &mut Vec<String>) -> Vec<Piece> {
         }
     }
     pieces
-}
-
-/// The files among what run.json says of records, each once.
-fn gather(value: &Value, hashes: &mut Vec<String>) {
-    let text = |key: &str| value.get(key).and_then(Value::as_str);
-    if let (Some(path), Some(hash)) = (text("path"), text("sha256")) {
-        let line = format!("{hash}  {path}");
-        if !hashes.contains(&line) {
-            hashes.push(line);
-        }
-    }
-    if let Some(inner) = value.as_object() {
-        inner.values().for_each(|value| gather(value, hashes));
-    }
 }

@@ -6,7 +6,12 @@ use topple::results::columns::TABLE;
 use topple::results::earlier::Kind;
 use topple::scene::words;
 use topple::stepping::outcome::Class;
+use topple_manifest::{
+    Comparison, Envelope, HistoryRun, Limits, MapRun, Motion, MotionRead, ProbabilityRun, Run,
+    StudyRun, SuiteRun,
+};
 use topple_pictures::drawing::share::{given, percent};
+use topple_studies::Best;
 use topple_studies::uncertain::Varied;
 
 use super::document::Piece;
@@ -60,7 +65,7 @@ fn meaning(kind: Kind, name: &str) -> &'static str {
 
 /// What a run was to find out, in a sentence.
 pub fn question(folder: &Folder) -> String {
-    match folder.kind {
+    match folder.manifest.kind {
         Kind::Map => {
             "Does the block stay in contact with its base, rock, or overturn, and how does that depend on the numbers of the map's axes?"
         }
@@ -79,24 +84,25 @@ pub fn question(folder: &Folder) -> String {
 /// # Errors
 /// [`ReportError`]: a file that cannot be read.
 pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
-    let mut pieces = match folder.kind {
-        Kind::Map => outcomes(folder),
-        Kind::History => vec![Piece::Text(motion(folder))],
-        Kind::Suite => suite(folder)?,
-        Kind::Envelope => envelope(folder)?,
-        Kind::Fragility => fragility::of(folder)?,
-        Kind::Comparison => comparison(folder)?,
-        Kind::Probability => probability(folder),
+    let mut pieces = match folder.run() {
+        Run::Map(run) => outcomes(run),
+        Run::History(run) => vec![Piece::Text(motion(run))],
+        Run::Suite(run) => suite(folder, run)?,
+        Run::Envelope(run) => envelope(folder, run)?,
+        Run::Fragility(run) => fragility::of(folder, &run.own)?,
+        Run::Comparison(run) => comparison(folder, &run.own)?,
+        Run::Probability(run) => probability(run),
     };
+    let kind = folder.manifest.kind;
+    let is_single = matches!(folder.run(), Run::Map(run) if run.cells == 1);
     let mut before: Option<&str> = None;
     for (name, picture) in folder.pictures()? {
-        let single = folder.kind == Kind::Map && folder.number("cells") == Some(1.0);
-        let own = meaning(folder.kind, if single { "single" } else { name });
+        let own = meaning(kind, if is_single { "single" } else { name });
         let caption = if before == Some(own) { AS_BEFORE } else { own };
         pieces.push(Piece::Picture(picture, caption.into()));
         before = Some(own);
     }
-    if folder.kind == Kind::Map && before.is_none() {
+    if kind == Kind::Map && before.is_none() {
         pieces.push(Piece::Text(
             "The run has no picture: its map has more than two axes, and so many pairs of two that none is drawn. Its tables have all of it."
                 .into(),
@@ -121,42 +127,38 @@ pub fn outcome(key: &str) -> &str {
 }
 
 /// What becomes of the block in a map of a single cell.
-pub fn single(folder: &Folder) -> Option<String> {
-    let counts = folder.run.get("outcomes").and_then(|of| of.as_object());
-    let (key, _) = counts?.iter().find(|(_, count)| count.as_f64() == Some(1.0))?;
+pub fn single(run: &MapRun) -> Option<String> {
+    let (key, _) = run.outcomes.iter().find(|(_, count)| **count == 1)?;
     Some(format!("The run has one calculation. The block {}.", outcome(key)))
 }
 
-fn outcomes(folder: &Folder) -> Vec<Piece> {
-    let cells = folder.number("cells").unwrap_or(0.0).max(1.0);
-    let counts = folder.run.get("outcomes").and_then(|of| of.as_object());
-    if let (1.0, Some(text)) = (cells, single(folder)) {
-        return std::iter::once(text).chain(tensile(folder)).map(Piece::Text).collect();
+fn outcomes(run: &MapRun) -> Vec<Piece> {
+    let cells = run.cells.max(1);
+    if let (1, Some(text)) = (cells, single(run)) {
+        return std::iter::once(text).chain(tensile(run)).map(Piece::Text).collect();
     }
     let mut pieces = vec![Piece::Text(format!("The run has {cells} calculations."))];
-    let rows = counts.into_iter().flatten().filter_map(|(key, count)| {
-        let share = count.as_f64()? / cells;
-        (share > 0.0).then(|| vec![outcome(key).to_string(), percent(share)])
-    });
-    let rows: Vec<Vec<String>> = rows.collect();
-    pieces.push(Piece::Table(vec!["the block".into(), "share of the map".into()], rows));
+    let rows = run.outcomes.iter().filter(|(_, count)| **count > 0);
+    let rows = rows
+        .map(|(key, count)| vec![outcome(key).to_string(), percent(*count as f64 / cells as f64)]);
+    let names = vec!["the block".into(), "share of the map".into()];
+    pieces.push(Piece::Table(names, rows.collect()));
     pieces.push(Piece::Text(
         "A share of the map is no probability: it says how much of the area of the map has this outcome."
             .into(),
     ));
-    pieces.extend(tensile(folder).map(Piece::Text));
+    pieces.extend(tensile(run).map(Piece::Text));
     pieces
 }
 
 /// That in a part of a map, or in its single cell, the base would have to pull at the block.
-pub fn tensile(folder: &Folder) -> Option<String> {
-    let cells = folder.number("cells").unwrap_or(0.0).max(1.0);
-    let tensile = folder.number("tensile_cells").filter(|count| *count > 0.0)?;
-    Some(match cells {
-        1.0 => PULLS.into(),
+pub fn tensile(run: &MapRun) -> Option<String> {
+    let tensile = run.tensile_cells.filter(|count| *count > 0)?;
+    Some(match run.cells.max(1) {
+        1 => PULLS.into(),
         cells => format!(
             "In {} of the map the base would have to pull at the block. There the model does not hold; the map is hatched.",
-            percent(tensile / cells)
+            percent(tensile as f64 / cells as f64)
         ),
     })
 }
@@ -166,34 +168,35 @@ const PULLS: &str = "The contact force becomes tensile: the base would have to p
                      not reliable.";
 
 /// What a single motion does, in sentences.
-pub fn motion(folder: &Folder) -> String {
-    let of = |key: &str| folder.run.get("outcome").and_then(|outcome| outcome.get(key));
-    let value = |key: &str| of(key).and_then(|value| value.as_f64());
-    let class = of("class").and_then(|class| class.as_str()).unwrap_or_default();
-    let mut text = format!("The block {}.", outcome(class));
-    let known = Class::ALL.into_iter().find(|known| known.name() == class);
-    if class.starts_with("overturned")
-        && let Some(end) = value("t_end")
+pub fn motion(run: &HistoryRun) -> String {
+    let MotionRead { class, impacts, t_end, max_u, stroke_v, min_contact, acc_block, base_load } =
+        match &run.outcome {
+            Some(Motion::Read(of)) => *of,
+            _ => MotionRead::default(),
+        };
+    let mut text = format!("The block {}.", outcome(class.map_or("", Class::name)));
+    if class.is_some_and(Class::overturned)
+        && let Some(end) = t_end
     {
         text += &format!(" That is at {} s; what follows is of the time up to then.", number(end));
     }
-    text += &match value("impacts") {
-        Some(1.0) => " It hits its base once.".to_string(),
-        Some(impacts) => format!(" It hits its base {} times.", number(impacts)),
+    text += &match impacts {
+        Some(1) => " It hits its base once.".to_string(),
+        Some(impacts) => format!(" It hits its base {} times.", number(impacts.into())),
         None => String::new(),
     };
     let numbers = [
-        ("max_u", "The base moves horizontally by up to", "m"),
-        ("stroke_v", "Its vertical stroke is up to", "m"),
-        ("acc_block", "The largest horizontal acceleration of its centre of mass is", "m/s²"),
-        ("base_load", "The base carries at most", "N"),
+        (max_u, "The base moves horizontally by up to", "m"),
+        (stroke_v, "Its vertical stroke is up to", "m"),
+        (acc_block, "The largest horizontal acceleration of its centre of mass is", "m/s²"),
+        (base_load, "The base carries at most", "N"),
     ];
-    for (key, what, unit) in numbers {
-        if let Some(value) = value(key).filter(|value| *value > 0.0) {
+    for (value, what, unit) in numbers {
+        if let Some(value) = value.filter(|value| *value > 0.0) {
             text += &format!(" {what} {} {unit}.", number(value));
         }
     }
-    if let (Some(class), Some(least)) = (known, value("min_contact"))
+    if let (Some(class), Some(least)) = (class, min_contact)
         && class.loses_contact(least)
     {
         text += &format!(" {PULLS}");
@@ -211,7 +214,7 @@ pub fn motions(folder: &Folder) -> Result<Rows, ReportError> {
     Ok(rows)
 }
 
-fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
+fn suite(folder: &Folder, run: &SuiteRun) -> Result<Vec<Piece>, ReportError> {
     let rows = motions(folder)?;
     let mut pieces = vec![Piece::Text(format!(
         "Motions of the suite: {}. Their peaks are with the scale factors of a list, where it has any.",
@@ -227,7 +230,7 @@ fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         ("pgv", "peak velocity [m/s]"),
     ];
     pieces.extend(table(&rows, &columns));
-    let left_out = folder.left_out();
+    let left_out = &run.left_out;
     if !left_out.is_empty() {
         let more = left_out.len().saturating_sub(ROWS);
         let told = left_out.iter().take(ROWS);
@@ -242,19 +245,19 @@ fn suite(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
 }
 
 /// What a base must keep, in a sentence.
-pub fn limits(folder: &Folder) -> String {
-    let share = folder.number("standing").unwrap_or(1.0);
+pub fn limits(folder: &Folder, of: &Limits) -> String {
+    let share = of.standing.unwrap_or(1.0);
     let mut text = match share {
         1.0 => "Limits: the block stands under all motions".to_string(),
         share => {
             format!("Limits: the block stands under at least {} of the motions", given(share))
         }
     };
-    for (key, what) in [
-        ("limit_u", "the base moves horizontally by at most"),
-        ("limit_v", "its vertical stroke is at most"),
+    for (limit, what) in [
+        (of.limit_u, "the base moves horizontally by at most"),
+        (of.limit_v, "its vertical stroke is at most"),
     ] {
-        if let Some(limit) = folder.number(key) {
+        if let Some(limit) = limit {
             text += &format!("; {what} {limit} m");
         }
     }
@@ -265,42 +268,37 @@ pub fn limits(folder: &Folder) -> String {
 }
 
 /// How many bases keep their limits, in sentences.
-pub fn kept(folder: &Folder) -> String {
-    let motions = folder.motions();
-    let mut text = format!("{} Each base is tried under {motions} motions.", limits(folder));
-    if let (Some(feasible), Some(cells)) = (folder.number("feasible"), folder.number("cells")) {
-        text += &match cells {
-            1.0 if feasible == 1.0 => " The base keeps all limits.".to_string(),
-            1.0 => " The base does not keep all limits.".to_string(),
-            cells => format!(" {feasible} of {cells} bases keep all limits."),
-        };
-    }
-    text
+pub fn kept(folder: &Folder, run: &StudyRun<Envelope>) -> String {
+    let (motions, limits) = (run.study.motions(), limits(folder, &run.own.limits));
+    let kept = match (run.study.cells, run.own.feasible) {
+        (1, 1) => "The base keeps all limits.".to_string(),
+        (1, _) => "The base does not keep all limits.".to_string(),
+        (cells, feasible) => format!("{feasible} of {cells} bases keep all limits."),
+    };
+    format!("{limits} Each base is tried under {motions} motions. {kept}")
 }
 
 /// The best base of an envelope, by its place on the axes, with its strokes and its reserve; none where no base keeps its limits.
 ///
 /// # Errors
 /// [`ReportError::File`]: a table that cannot be read.
-pub fn best(folder: &Folder) -> Result<Option<String>, ReportError> {
+pub fn best(folder: &Folder, run: &StudyRun<Envelope>) -> Result<Option<String>, ReportError> {
     let rows = folder.table("envelope.csv")?.unwrap_or_default();
-    let Some(row) = folder.number("best_cell").and_then(|cell| rows.get(cell as usize)) else {
-        return Ok(None);
-    };
-    let swept = folder.scene.as_ref().map(|scene| scene.swept()).unwrap_or_default();
+    let Some(row) = run.own.best_cell.and_then(|cell| rows.get(cell)) else { return Ok(None) };
+    let swept = folder.scene().map(|scene| scene.swept()).unwrap_or_default();
     let at =
         swept.iter().filter_map(|one| Some(one.entry().written(number(value(row, one.key())?))));
     let at: Vec<String> = at.collect();
     let mut text = match &at[..] {
         [] => "The block".to_string(),
         at => {
-            let by = match folder.text("best") {
-                Some("stroke_u") => "with the smallest horizontal displacement",
-                Some("stroke_v") => "with the smallest vertical stroke",
-                _ if folder.number("feasible") == folder.number("cells") => {
+            let by = match run.own.best {
+                Best::StrokeU => "with the smallest horizontal displacement",
+                Best::StrokeV => "with the smallest vertical stroke",
+                Best::Reserve if run.own.feasible == run.study.cells => {
                     "with the smallest horizontal displacement, since all keep the limits"
                 }
-                _ => "the farthest on the map from bases that do not keep all limits",
+                Best::Reserve => "the farthest on the map from bases that do not keep all limits",
             };
             format!("The best base, {by}, has {}: on it the block", at.join(", "))
         }
@@ -326,8 +324,8 @@ pub fn best(folder: &Folder) -> Result<Option<String>, ReportError> {
     Ok(Some(text))
 }
 
-fn envelope(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
-    let found = std::iter::once(kept(folder)).chain(best(folder)?);
+fn envelope(folder: &Folder, run: &StudyRun<Envelope>) -> Result<Vec<Piece>, ReportError> {
+    let found = std::iter::once(kept(folder, run)).chain(best(folder, run)?);
     let mut pieces = vec![Piece::Text(found.collect::<Vec<_>>().join(" "))];
     let rows = folder.table("envelope.csv")?.unwrap_or_default();
     if rows.len() == 1 {
@@ -393,12 +391,12 @@ fn beside(rows: &Rows, (key, columns): (&str, &[(&str, &str)])) -> Vec<Piece> {
     pieces
 }
 
-fn comparison(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
+fn comparison(folder: &Folder, run: &Comparison) -> Result<Vec<Piece>, ReportError> {
     let rows = folder.table("compare.csv")?.unwrap_or_default();
     let mut pieces = vec![Piece::Text(format!(
         "{} Displacements, accelerations and forces are those of the motions under which the block stands: a motion that overturns it is not \
          counted, and may give larger ones. u is the displacement of the base.",
-        limits(folder)
+        limits(folder, &run.limits)
     ))];
     let scenes = folder.scenes();
     let numbers =
@@ -439,15 +437,15 @@ fn percentile(name: &str) -> String {
 }
 
 /// How likely a map of unknown numbers has overturning, in sentences.
-pub fn probable(folder: &Folder) -> String {
+pub fn probable(run: &ProbabilityRun) -> String {
     let mut text = String::from(
         "Some numbers are not known exactly; each point of the map is calculated with many values of them",
     );
-    if let Some(samples) = folder.number("samples") {
-        text += &format!(", {samples} in all");
+    if let Some(uncertainty) = &run.uncertainty {
+        text += &format!(", {} in all", uncertainty.samples);
     }
     text += ".";
-    if let Some(mean) = folder.number("mean_probability") {
+    if let Some(mean) = run.mean_probability {
         text += &format!(
             " Over the whole map the block overturns in {} of the calculations.",
             percent(mean)
@@ -456,9 +454,10 @@ pub fn probable(folder: &Folder) -> String {
     text
 }
 
-fn probability(folder: &Folder) -> Vec<Piece> {
-    let varied: Vec<String> = folder.varied().iter().map(Varied::words).collect();
-    let mut pieces = vec![Piece::Text(probable(folder))];
+fn probability(run: &ProbabilityRun) -> Vec<Piece> {
+    let varied = run.uncertainty.iter().flat_map(|of| &of.vary);
+    let varied: Vec<String> = varied.map(Varied::words).collect();
+    let mut pieces = vec![Piece::Text(probable(run))];
     if !varied.is_empty() {
         pieces.push(Piece::List(varied));
     }

@@ -3,14 +3,12 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use serde::Deserialize;
-use serde_json::Value;
-use topple::results::earlier::{Kind, RUN};
+use topple::results::earlier::RUN;
 use topple::results::files::WriteError;
 use topple::scene::{Parameter, Scene, bounded};
+use topple_manifest::{Manifest, Run};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::picture::Picture;
-use topple_studies::uncertain::Varied;
 
 /// Why there is no report.
 #[derive(Debug, thiserror::Error)]
@@ -34,37 +32,13 @@ pub enum ReportError {
     Figure(#[from] FigureError),
 }
 
-/// Of run.json what every run has.
-#[derive(Deserialize)]
-struct Written {
-    kind: Kind,
-    version: String,
-    date: Option<String>,
-    scene: Option<Scene>,
-    #[serde(default)]
-    warnings: Vec<String>,
-    files: Vec<String>,
-}
-
 /// A run: its directory and its run.json.
 #[derive(Debug)]
 pub struct Folder {
     /// Where it is.
     pub path: PathBuf,
-    /// What it is of.
-    pub kind: Kind,
-    /// The version of topple that wrote it.
-    pub version: String,
-    /// When it was written, in UTC, where the run says it.
-    pub date: Option<String>,
-    /// The scene, where it has one.
-    pub scene: Option<Scene>,
-    /// What the run warned of.
-    pub warnings: Vec<String>,
-    /// All of run.json.
-    pub run: Value,
-    /// Names of the files beside it.
-    files: Vec<String>,
+    /// Its run.json.
+    pub manifest: Manifest,
 }
 
 /// A table of a run: each row by the names of the columns.
@@ -88,16 +62,10 @@ impl Folder {
             None if path.is_file() => return Err(none("it is a file".into())),
             None => path,
         };
-        let text = bounded::text(&path.join(RUN), bounded::DOCUMENT)
-            .map_err(|error| none(format!("{RUN}: {error}")))?;
-        let read = || -> serde_json::Result<(Written, Value)> {
-            Ok((serde_json::from_str(&text)?, serde_json::from_str(&text)?))
-        };
-        let (written, run) = read().map_err(|error| none(format!("{RUN}: {error}")))?;
-        let Written { kind, version, date, scene, warnings, files } = written;
-        let path = path.to_path_buf();
-        let folder = Folder { path, kind, version, date, scene, warnings, run, files };
-        for name in &folder.files {
+        let manifest = Manifest::read(&path.join(RUN));
+        let manifest = manifest.map_err(|error| none(format!("{RUN}: {error}")))?;
+        let folder = Folder { path: path.to_path_buf(), manifest };
+        for name in &folder.manifest.files {
             if Path::new(name).file_name().is_none_or(|only| only != name.as_str()) {
                 return Err(none(format!("{RUN} names {name:?}, which is no file beside it")));
             }
@@ -115,7 +83,7 @@ impl Folder {
     /// # Errors
     /// [`ReportError::File`]: one that cannot be read.
     pub fn pictures(&self) -> Result<Vec<(&str, Picture)>, ReportError> {
-        let names = self.files.iter().filter_map(|name| name.strip_suffix(".svg"));
+        let names = self.manifest.files.iter().filter_map(|name| name.strip_suffix(".svg"));
         names.map(|name| Ok((name, self.picture(name)?))).collect()
     }
 
@@ -142,7 +110,7 @@ impl Folder {
     /// # Errors
     /// [`ReportError::File`]: one that cannot be read.
     pub fn table(&self, name: &str) -> Result<Option<Rows>, ReportError> {
-        if !self.files.iter().any(|file| file == name) {
+        if !self.manifest.files.iter().any(|file| file == name) {
             return Ok(None);
         }
         let path = self.path.join(name);
@@ -153,59 +121,34 @@ impl Folder {
         rows.map(Some).map_err(|error| failed(error.to_string()))
     }
 
+    /// What the run was, and what came of it.
+    pub fn run(&self) -> &Run {
+        &self.manifest.run
+    }
+
+    /// The scene, where it has one.
+    pub fn scene(&self) -> Option<&Scene> {
+        self.run().scene()
+    }
+
     /// The scenes of the run: of a comparison one for each device.
-    pub fn scenes(&self) -> Vec<Scene> {
-        let devices = self.run.get("devices").and_then(Value::as_array);
-        let of_devices = devices.into_iter().flatten().filter_map(|device| {
-            let scene = device.get("scene")?;
-            serde_json::from_value(scene.clone()).ok()
-        });
-        let of_devices: Vec<Scene> = of_devices.collect();
-        if of_devices.is_empty() { self.scene.iter().cloned().collect() } else { of_devices }
+    pub fn scenes(&self) -> Vec<&Scene> {
+        match self.run() {
+            Run::Comparison(run) if !run.own.devices.is_empty() => {
+                run.own.devices.iter().map(|device| &device.scene).collect()
+            }
+            run => run.scene().into_iter().collect(),
+        }
     }
 
     /// By what all motions of a suite are multiplied, where it is not 1.
     pub fn scale(&self) -> Option<f64> {
-        let scenes = self.scenes();
-        let scale = scenes.first()?.numbers.get(Parameter::Scale)?.single()?;
+        let scale = self.scenes().first()?.numbers.get(Parameter::Scale)?.single()?;
         (scale != 1.0).then_some(scale)
     }
 
     /// The title that was asked for with the run.
     pub fn title(&self) -> Option<&str> {
-        self.run.get("pictures")?.get("title")?.as_str()
-    }
-
-    /// How many motions a run has, each direction of one counted.
-    pub fn motions(&self) -> usize {
-        let all = self.run.get("motions").and_then(Value::as_array).map_or(0, Vec::len);
-        all * if self.is_in_both_directions() { 2 } else { 1 }
-    }
-
-    /// True where each motion of the suite is taken as it is and reversed.
-    pub fn is_in_both_directions(&self) -> bool {
-        self.run.get("both_directions").and_then(Value::as_bool) == Some(true)
-    }
-
-    /// The numbers that the run did not take as known.
-    pub fn varied(&self) -> Vec<Varied> {
-        let all = self.run.get("vary").and_then(Value::as_array).into_iter().flatten();
-        all.filter_map(|one| one.as_str()?.parse().ok()).collect()
-    }
-
-    /// The lines of a suite without a motion, by their ids, and why.
-    pub fn left_out(&self) -> Vec<(&str, &str)> {
-        let all = self.run.get("left_out").and_then(Value::as_object).into_iter().flatten();
-        all.map(|(id, why)| (id.as_str(), why.as_str().unwrap_or_default())).collect()
-    }
-
-    /// A number of run.json.
-    pub fn number(&self, key: &str) -> Option<f64> {
-        self.run.get(key)?.as_f64()
-    }
-
-    /// A text of run.json.
-    pub fn text(&self, key: &str) -> Option<&str> {
-        self.run.get(key)?.as_str()
+        self.run().pictures().title.as_deref()
     }
 }

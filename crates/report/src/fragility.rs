@@ -1,7 +1,9 @@
 //! What a fragility found: its curves, the hazard of its site, how often the block fails.
 
+use topple::scene::path_text::{self, PathText};
+use topple_manifest::{Drawn, Fragility, Site};
 use topple_pictures::drawing::share::percent;
-use topple_pictures::studies::hazard;
+use topple_pictures::studies::hazard as picture;
 use topple_studies::suites::intensity::Intensity;
 
 use super::document::Piece;
@@ -9,14 +11,13 @@ use super::folder::{Folder, ReportError, Row, Rows};
 use super::tables::{number, shown, table, value};
 
 /// The estimator whose curves are drawn and told: the first of the run.
-fn estimator(folder: &Folder) -> &str {
-    let all = folder.run.get("estimators").and_then(|all| all.as_array());
-    all.and_then(|all| all.first()?.as_str()).unwrap_or("stripes")
+fn estimator(run: &Fragility) -> &str {
+    run.estimators.first().map_or("stripes", String::as_str)
 }
 
 /// The rows of a table that are of this estimator.
-fn rows(folder: &Folder, name: &str) -> Result<Option<Rows>, ReportError> {
-    let by = estimator(folder);
+fn rows(folder: &Folder, run: &Fragility, name: &str) -> Result<Option<Rows>, ReportError> {
+    let by = estimator(run);
     let own = |mut rows: Rows| {
         rows.retain(|row| row.get("estimator").is_none_or(|one| one == by));
         rows.iter_mut().for_each(in_words);
@@ -25,30 +26,25 @@ fn rows(folder: &Folder, name: &str) -> Result<Option<Rows>, ReportError> {
     Ok(folder.table(name)?.map(own))
 }
 
-/// The measure of the levels.
-fn measure(folder: &Folder) -> Option<Intensity> {
-    folder.text("im").and_then(|text| text.parse().ok())
-}
-
-/// The same, as axes are labelled.
-fn label(folder: &Folder) -> String {
-    measure(folder).map_or("the ground motion's strength".into(), Intensity::label)
+/// The measure of the levels, as axes are labelled.
+fn label(run: &Fragility) -> String {
+    run.im.map_or("the ground motion's strength".into(), Intensity::label)
 }
 
 /// What is found of overturning, in sentences: of one block or base its median and its rate, of several how many have which.
 ///
 /// # Errors
 /// [`ReportError::File`]: a table that cannot be read.
-pub fn shortly(folder: &Folder) -> Result<Vec<String>, ReportError> {
+pub fn shortly(folder: &Folder, run: &Fragility) -> Result<Vec<String>, ReportError> {
     let overturning = |rows: Option<Rows>| {
         let rows = rows.into_iter().flatten();
         rows.filter(|row| row.get("limit_state").is_some_and(|state| state == "overturning"))
             .collect::<Rows>()
     };
-    let fits = overturning(rows(folder, "fits.csv")?);
-    let rates = overturning(rows(folder, "rates.csv")?);
-    let symbol = measure(folder).map_or("level".into(), Intensity::symbol);
-    let unit = measure(folder).map_or("1", Intensity::unit);
+    let fits = overturning(rows(folder, run, "fits.csv")?);
+    let rates = overturning(rows(folder, run, "rates.csv")?);
+    let symbol = run.im.map_or("level".into(), Intensity::symbol);
+    let unit = run.im.map_or("1", Intensity::unit);
     let unit = if unit == "1" { String::new() } else { format!(" {unit}") };
     let mut told = Vec::new();
     let known: Vec<f64> = fits.iter().filter_map(|row| value(row, "theta")).collect();
@@ -68,7 +64,7 @@ pub fn shortly(folder: &Folder) -> Result<Vec<String>, ReportError> {
             all.len()
         ),
     });
-    let target = folder.number("target");
+    let target = run.target;
     if let [one] = &rates[..] {
         if one.get("rate").is_some_and(|rate| !rate.is_empty()) {
             told.push(format!(
@@ -166,21 +162,26 @@ fn judged(row: &Row, target: f64) -> Option<String> {
     })
 }
 
+/// What the intervals of a study rest on, in a sentence.
+pub fn intervals(drawn: &Drawn) -> Option<String> {
+    let by = drawn.resample?;
+    Some(match drawn.groups? {
+        1 => format!(
+            "All motions are of one {by}: how the answer changes with the choice of motions is not known."
+        ),
+        count => format!(
+            "The intervals rest on {count} {by}s: they say how the answer changes with the choice of motions, not whether the model is right."
+        ),
+    })
+}
+
 /// How sure the curves are, in sentences.
 ///
 /// # Errors
 /// [`ReportError::File`]: a table that cannot be read.
-pub fn sureness(folder: &Folder) -> Result<Vec<String>, ReportError> {
-    let mut told = Vec::new();
-    if let (Some(count), Some(by)) = (folder.number("groups"), folder.text("resample")) {
-        told.push(match count {
-            1.0 => format!("All motions are of one {by}: how the answer changes with the choice of motions is not known."),
-            _ => format!(
-                "The intervals rest on {count} {by}s: they say how the answer changes with the choice of motions, not whether the model is right."
-            ),
-        });
-    }
-    let rates = rows(folder, "rates.csv")?.unwrap_or_default();
+pub fn sureness(folder: &Folder, run: &Fragility) -> Result<Vec<String>, ReportError> {
+    let mut told: Vec<String> = intervals(&run.drawn).into_iter().collect();
+    let rates = rows(folder, run, "rates.csv")?.unwrap_or_default();
     if let [one, ..] = &rates[..]
         && rates.iter().all(|row| cell(folder, row) == cell(folder, one))
         && let Some(share) = value(one, "share_without_failures")
@@ -199,22 +200,20 @@ fn cell<'a>(folder: &Folder, row: &'a Row) -> Vec<Option<&'a String>> {
 }
 
 /// The hazard of the site: its curve as a picture, and what the run was to keep.
-fn site(folder: &Folder, label: &str) -> Vec<Piece> {
-    let points = folder.run.get("hazard_curve").cloned();
-    let points = points.and_then(|of| serde_json::from_value::<Vec<[f64; 2]>>(of).ok());
-    let Some(points) = points else { return Vec::new() };
-    let Some(picture) = hazard::draw(&points, label, folder.number("target")) else {
+fn site(run: &Fragility, label: &str) -> Vec<Piece> {
+    let Site { hazard, hazard_units, hazard_source, hazard_curve, .. } = &run.site;
+    let points = hazard_curve.as_ref();
+    let Some(picture) = points.and_then(|of| picture::draw(of, label, run.target)) else {
         return Vec::new();
     };
     let mut text = format!(
         "The hazard of the site, {}: how often a year the ground shakes more strongly than a level.",
-        folder.text("hazard").unwrap_or_default()
+        hazard.as_ref().map_or("".into(), |PathText(path)| path_text::text(path))
     );
-    if let (Some(unit), Some(source)) = (folder.text("hazard_units"), folder.text("hazard_source"))
-    {
+    if let (Some(unit), Some(source)) = (hazard_units, hazard_source) {
         text += &format!(" How it was read: levels in {unit}; {source}.");
     }
-    if let Some(target) = folder.number("target") {
+    if let Some(target) = run.target {
         text += &format!(
             " The dashed line is the accepted rate of failure, {} a year: a block that fails exactly from the level on at which the line meets the curve has this rate.",
             number(target)
@@ -227,8 +226,8 @@ fn site(folder: &Folder, label: &str) -> Vec<Piece> {
 ///
 /// # Errors
 /// [`ReportError::File`]: a table that cannot be read.
-pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
-    let (label, by) = (label(folder), estimator(folder));
+pub fn of(folder: &Folder, run: &Fragility) -> Result<Vec<Piece>, ReportError> {
+    let (label, by) = (label(run), estimator(run));
     let axes: Vec<(String, String)> = axes(folder);
     let mut columns: Vec<(&str, &str)> =
         axes.iter().map(|(key, name)| (key.as_str(), name.as_str())).collect();
@@ -241,7 +240,7 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         ("theta_high", "upper end"),
         ("beta", "spread (β)"),
     ]);
-    let levels = match folder.run.get("levels").is_some_and(|levels| !levels.is_null()) {
+    let levels = match run.levels.is_some() {
         true => format!("The motions of the suite are scaled to levels of {label}."),
         false => format!(
             "The motions of the suite are used as they are; {label} tells how strong each is."
@@ -252,7 +251,7 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
          β is the standard deviation of the natural logarithm of this level from motion to motion."
     ))];
     // The other estimates are in the run's directory.
-    let mut fitted = rows(folder, "fits.csv")?.unwrap_or_default();
+    let mut fitted = rows(folder, run, "fits.csv")?.unwrap_or_default();
     let open = |row: &&mut Row| {
         row.get("beta").is_some_and(String::is_empty)
             && row.get("theta").is_some_and(|theta| !theta.is_empty())
@@ -276,15 +275,14 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
         pieces.push(Piece::Text("–: the motions tell no curve, or no end of its interval.".into()));
     }
     let of_notes = format!(", {by}: ");
-    let notes = folder.run.get("notes").and_then(|notes| notes.as_array()).into_iter().flatten();
-    let notes = notes.filter_map(|note| note.as_str()).filter(|note| note.contains(&of_notes));
+    let notes = run.notes.iter().filter(|note| note.contains(&of_notes));
     let notes: Vec<String> = notes.map(|note| note.replacen(&of_notes, ": ", 1)).collect();
     if !notes.is_empty() {
         pieces.push(Piece::List(notes));
     }
-    if let Some(mut found) = rows(folder, "rates.csv")? {
-        let target = folder.number("target").map(number);
-        let accepted = folder.number("target").unwrap_or(f64::INFINITY);
+    if let Some(mut found) = rows(folder, run, "rates.csv")? {
+        let target = run.target.map(number);
+        let accepted = run.target.unwrap_or(f64::INFINITY);
         for row in &mut found {
             let keeps = row.get("below_target").map(String::as_str);
             let keeps = keeps.and_then(|keeps| match keeps {
@@ -316,7 +314,7 @@ pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
                 .into(),
         ));
         pieces.extend(table(&found, &rates));
-        pieces.extend(site(folder, &label));
+        pieces.extend(site(run, &label));
     }
     Ok(pieces)
 }
@@ -336,7 +334,7 @@ fn in_words(row: &mut Row) {
 
 /// The axes of a run, by their keys, and how they are labelled.
 fn axes(folder: &Folder) -> Vec<(String, String)> {
-    let swept = folder.scene.as_ref().map(|scene| scene.swept()).unwrap_or_default();
+    let swept = folder.scene().map(|scene| scene.swept()).unwrap_or_default();
     swept.into_iter().map(|one| (one.key().to_string(), one.entry().label())).collect()
 }
 

@@ -1,8 +1,9 @@
 //! A run in short: what was asked, what was found, and how sure that is.
 
-use serde_json::Value;
-use topple::results::earlier::Kind;
+use topple::sweep::verification::Verification;
+use topple_manifest::{MapRun, Run, SuiteRun};
 use topple_pictures::drawing::share::percent;
+use topple_studies::Verified;
 
 use super::folder::{Folder, ReportError, Row, Rows};
 use super::tables::{number, shown, value};
@@ -17,8 +18,13 @@ const NAMED: usize = 6;
 /// [`ReportError::File`]: a table that cannot be read.
 pub fn of(folder: &Folder) -> Result<Vec<String>, ReportError> {
     let mut sure = vec![sentence(&checked(folder))];
-    sure.extend(fragility::sureness(folder)?);
-    match &folder.warnings[..] {
+    match folder.run() {
+        Run::Envelope(run) => sure.extend(fragility::intervals(&run.own.drawn)),
+        Run::Fragility(run) => sure.extend(fragility::sureness(folder, &run.own)?),
+        Run::Comparison(run) => sure.extend(fragility::intervals(&run.own.drawn)),
+        _ => {}
+    }
+    match &folder.manifest.warnings[..] {
         [] => {}
         [one] => sure.push(format!("The run warned: {one}.")),
         [one, other] => sure.push(format!("The run warned: {one}. And: {other}.")),
@@ -39,36 +45,35 @@ fn sentence(text: &str) -> String {
 }
 
 fn found(folder: &Folder) -> Result<Vec<String>, ReportError> {
-    Ok(match folder.kind {
-        Kind::Map => map(folder)?,
-        Kind::History => vec![findings::motion(folder)],
-        Kind::Suite => suite(folder, &findings::motions(folder)?),
-        Kind::Envelope => {
-            std::iter::once(findings::kept(folder)).chain(findings::best(folder)?).collect()
+    Ok(match folder.run() {
+        Run::Map(run) => map(folder, run)?,
+        Run::History(run) => vec![findings::motion(run)],
+        Run::Suite(run) => suite(run, &findings::motions(folder)?),
+        Run::Envelope(run) => {
+            let best = findings::best(folder, run)?;
+            std::iter::once(findings::kept(folder, run)).chain(best).collect()
         }
-        Kind::Fragility => fragility::shortly(folder)?,
-        Kind::Comparison => {
+        Run::Fragility(run) => fragility::shortly(folder, &run.own)?,
+        Run::Comparison(run) => {
             let rows = folder.table("compare.csv")?.unwrap_or_default();
-            std::iter::once(findings::limits(folder)).chain(devices(&rows)).collect()
+            let limits = findings::limits(folder, &run.own.limits);
+            std::iter::once(limits).chain(devices(&rows)).collect()
         }
-        Kind::Probability => vec![findings::probable(folder)],
+        Run::Probability(run) => vec![findings::probable(run)],
     })
 }
 
 /// What becomes of the block along the only axis of a map; else the shares of the map, the largest first.
-fn map(folder: &Folder) -> Result<Vec<String>, ReportError> {
-    let cells = folder.number("cells").unwrap_or(0.0).max(1.0);
-    if cells == 1.0 {
-        return Ok(findings::single(folder).into_iter().chain(findings::tensile(folder)).collect());
+fn map(folder: &Folder, run: &MapRun) -> Result<Vec<String>, ReportError> {
+    let cells = run.cells.max(1);
+    if cells == 1 {
+        return Ok(findings::single(run).into_iter().chain(findings::tensile(run)).collect());
     }
-    if let Some(along) = along::of(folder)? {
-        return Ok(std::iter::once(along).chain(findings::tensile(folder)).collect());
+    if let Some(along) = along::of(folder, cells)? {
+        return Ok(std::iter::once(along).chain(findings::tensile(run)).collect());
     }
-    let counts = folder.run.get("outcomes").and_then(Value::as_object);
-    let shares = counts.into_iter().flatten().filter_map(|(key, count)| {
-        let share = count.as_f64()? / cells;
-        (share > 0.0).then_some((share, findings::outcome(key)))
-    });
+    let shares = run.outcomes.iter().filter(|(_, count)| **count > 0);
+    let shares = shares.map(|(key, count)| (*count as f64 / cells as f64, findings::outcome(key)));
     let mut shares: Vec<(f64, &str)> = shares.collect();
     shares.sort_by(|(a, _), (b, _)| b.total_cmp(a));
     let told = shares.into_iter().enumerate().map(|(number, (share, what))| match number {
@@ -77,28 +82,28 @@ fn map(folder: &Folder) -> Result<Vec<String>, ReportError> {
     });
     let told = told.collect::<Vec<_>>().join(", ")
         + ". Such a share is no probability: it depends on the ranges of the axes.";
-    Ok(std::iter::once(told).chain(findings::tensile(folder)).collect())
+    Ok(std::iter::once(told).chain(findings::tensile(run)).collect())
 }
 
-fn suite(folder: &Folder, rows: &Rows) -> Vec<String> {
+fn suite(run: &SuiteRun, rows: &Rows) -> Vec<String> {
     let peaks = rows.iter().filter_map(|row| value(row, "pga_h"));
     let (least, most) = peaks.fold((f64::MAX, 0.0_f64), |(a, b), peak| (a.min(peak), b.max(peak)));
     let peaks = match most >= least {
         true => format!(", with horizontal peaks from {} to {} m/s²", number(least), number(most)),
         false => String::new(),
     };
-    let counted = |count: f64, thing: &str| match count {
-        1.0 => format!("1 {thing}"),
+    let counted = |count: usize, thing: &str| match count {
+        1 => format!("1 {thing}"),
         count => format!("{count} {thing}s"),
     };
-    let groups = [("recordings", "recording"), ("events", "earthquake")];
-    let of = groups.iter().filter_map(|(key, thing)| Some(counted(folder.number(key)?, thing)));
+    let groups = [(run.recordings, "recording"), (run.events, "earthquake")];
+    let of = groups.iter().filter_map(|(count, thing)| Some(counted((*count)?, thing)));
     let of: String = of.map(|of| format!(" of {of}")).collect();
-    let mut told = vec![format!("{}{of}{peaks}.", counted(rows.len() as f64, "motion"))];
-    let left_out = folder.left_out().len();
+    let mut told = vec![format!("{}{of}{peaks}.", counted(rows.len(), "motion"))];
+    let left_out = run.left_out.len();
     if left_out > 0 {
         let have = if left_out == 1 { "has" } else { "have" };
-        told.push(format!("{} of the suite {have} no motion.", counted(left_out as f64, "line")));
+        told.push(format!("{} of the suite {have} no motion.", counted(left_out, "line")));
     }
     told
 }
@@ -179,36 +184,35 @@ fn named(rows: &[&Row]) -> String {
 /// What a second calculation says of a run.
 pub fn checked(folder: &Folder) -> String {
     let second = "A second, independent and slower calculation has repeated";
-    let count = |of: &Value, key: &str| of.get(key).and_then(Value::as_f64).unwrap_or(0.0);
     let none = "nothing was calculated a second time.".to_string();
-    let repeated_of = |sampled: f64, differ: f64| match sampled {
-        0.0 => none.clone(),
-        _ => format!("{second} {sampled} of the calculations; the outcome differs in {differ}."),
+    let (sampled, differ) = match folder.run() {
+        Run::Map(run) => match &run.verification {
+            Some(of) if of.sampled > 0 => {
+                let Verification { sampled, differ, beside_boundary, .. } = of;
+                return format!(
+                    "{second} {sampled} of {} calculations; the outcome differs in {differ} ({}). {beside_boundary} of the repeated ones \
+                     lie beside another outcome, where outcomes are hardest to tell.",
+                    run.cells,
+                    percent(*differ as f64 / *sampled as f64),
+                );
+            }
+            _ => return none,
+        },
+        Run::Probability(run) => (run.verified[0], run.verified[1]),
+        Run::Envelope(run) => counts(&run.verified),
+        Run::Fragility(run) => counts(&run.verified),
+        Run::Comparison(run) => counts(&run.verified),
+        Run::History(_) | Run::Suite(_) => return none,
     };
-    match (folder.run.get("verification"), folder.run.get("verified")) {
-        (Some(of), _) if of.is_object() => {
-            let (sampled, differ) = (count(of, "sampled"), count(of, "differ"));
-            if sampled == 0.0 {
-                return none;
-            }
-            format!(
-                "{second} {sampled} of {} calculations; the outcome differs in {differ} ({}). {} of the repeated ones lie beside \
-                 another outcome, where outcomes are hardest to tell.",
-                folder.number("cells").unwrap_or(sampled),
-                percent(differ / sampled),
-                count(of, "beside_boundary")
-            )
-        }
-        (_, Some(of)) if of.is_object() => repeated_of(count(of, "sampled"), count(of, "differ")),
-        (_, Some(Value::Array(of))) => {
-            let of: Vec<f64> = of.iter().filter_map(Value::as_f64).collect();
-            match of[..] {
-                [sampled, differ] => repeated_of(sampled, differ),
-                _ => none,
-            }
-        }
-        _ => none,
+    match sampled {
+        0 => none,
+        _ => format!("{second} {sampled} of the calculations; the outcome differs in {differ}."),
     }
+}
+
+/// Cells that the reference ran again, and those of another outcome.
+fn counts(of: &Verified) -> (usize, usize) {
+    (of.sampled as usize, of.differ as usize)
 }
 
 #[cfg(test)]

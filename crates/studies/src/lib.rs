@@ -13,26 +13,25 @@ mod several;
 pub mod sharpness;
 mod sheet;
 pub mod statistics;
+pub mod study;
 pub mod suites;
 pub mod uncertain;
 
-pub use comparison::{
-    Compared, Comparison, ComparisonError, ComparisonJob, ComparisonRequest, Device, RateRequest,
-    Reserve,
-};
+pub use comparison::{Compared, Comparison, ComparisonRequest, Device, RateRequest, Reserve};
 pub use fragility::limit_state::LimitState;
 pub use fragility::sensitivity::{Sensitivity, Unknown};
-pub use fragility::study::{CellStudy, StateStudy, Study as FragilityStudy, StudySettings};
+pub use fragility::study::{CellStudy, FragilityStudy, StateStudy, StudySettings};
 pub use fragility::{
-    AnnualRate, Capacity, Estimate as FragilityEstimate, Estimator, FragilityJob, FragilityRequest,
-    Gap, HazardCurve, Lognormal, Note, RecordRuns, Run, Stripe, estimate as estimate_fragility,
+    AnnualRate, Capacity, Estimate as FragilityEstimate, Estimator, FragilityRequest, Gap,
+    HazardCurve, Lognormal, Note, RecordRuns, Run, Stripe, estimate as estimate_fragility,
     in_50_years, share_that_stands_again,
 };
 pub use sharpness::Sharpness;
 pub use sheet::{TableError, row_in_comment};
 pub use statistics::{Bootstrap, Distribution, DistributionError};
+pub use study::{Study, StudyError, StudyJob, StudyRequest, StudyTable};
 pub use suites::envelope::{
-    Best, CellEnvelope, Envelope, EnvelopeJob, EnvelopeRequest, EnvelopeSettings, Limits,
+    Best, CellEnvelope, Envelope, EnvelopeRequest, EnvelopeSettings, Limits,
 };
 pub use suites::intensity::{Intensity, IntensityError};
 pub use suites::measures::Measures;

@@ -3,14 +3,16 @@
 use std::path::PathBuf;
 
 use pyo3::prelude::*;
-use pyo3::types::{IntoPyDict, PyDict};
+use pyo3::types::PyDict;
 use serde_json::Value;
 use topple::work::threads::Threads;
 use topple::{Saving, SceneError, StoreError, SweepError};
+use topple_studies::fragility::RUNS;
 use topple_studies::suites::read::Reading;
 use topple_studies::suites::saved;
-use topple_studies::{Suite, SuiteJob, SuiteRequest, SuiteSweep};
+use topple_studies::{Study, StudyError, StudyRequest, Suite, SuiteRequest};
 
+use super::described::text;
 use crate::errors::{of_keyword, of_scene, of_suite, of_sweep};
 use crate::keywords::{Request, baseline, given, taken, warn_of_doubts};
 use crate::watch::{self, Watch};
@@ -87,37 +89,47 @@ impl<'a, 'py> Call<'a, 'py> {
         Ok((Call { py, keywords, suite, progress, threads, resume, shard }, request))
     }
 
-    /// Runs the sweeps of the job that `open` makes and passes them to `of`; a shard gives nothing. With `resume` a directory
-    /// that holds motions of another run is refused.
-    pub fn run<S: Send, T: Send, E: From<SweepError> + Send>(
-        &self,
-        open: impl FnOnce(&Suite) -> Result<(SuiteJob, S), E> + Send,
-        of: impl FnOnce(SuiteSweep, S, &Watch) -> Result<T, E> + Send,
-        of_error: impl FnOnce(E) -> PyErr,
-    ) -> PyResult<Option<T>> {
+    /// Runs the sweeps of a request; a shard gives nothing. With `resume` a directory that holds motions of another run is refused.
+    pub fn run<R: StudyRequest>(&self, request: &R) -> PyResult<Option<R::Study>> {
         let Call { suite, resume, shard, .. } = self;
+        request.check().map_err(of_study)?;
         let run = |watch: &Watch| {
-            let (job, settings) = open(suite)?;
-            if *resume && job.finds_others()? {
+            let job = request.open(suite)?;
+            if *resume && job.sweep.finds_others()? {
                 let problem = "the directory holds motions of another run; give the keywords of that run, or another directory";
                 let error = SceneError { key: "resume", problem: problem.into() };
                 return Err(SweepError::from(error).into());
             }
-            let swept = job.run(watch)?;
-            if *shard { Ok(None) } else { of(swept, settings, watch).map(Some) }
+            match shard {
+                true => Ok(job.sweep.run(watch).map(|_| None)?),
+                false => Ok(job.run(watch).map(Some)?),
+            }
         };
-        watch::run(self.py, self.progress, &self.threads, run)?.map_err(of_error)
+        watch::run(self.py, self.progress, &self.threads, run)?.map_err(of_study)
     }
 
     /// The result of the call: tables by their names, and what is told of them. Frees the motions that were saved.
-    pub fn tables(
+    pub fn tables<R: StudyRequest>(
         &self,
-        tables: impl IntoIterator<Item = (&'static str, String)>,
+        request: &R,
+        mut study: R::Study,
         about: &Value,
-        sweep: &mut SuiteSweep,
     ) -> PyResult<Tables<'py>> {
-        let all = tables.into_py_dict(self.py)?;
-        sweep.discard_saved()?;
+        let all = PyDict::new(self.py);
+        for (file, write) in request.tables() {
+            if file != RUNS && study.has(file) {
+                all.set_item(file.trim_end_matches(".csv"), text(|to| write(&study, to))?)?;
+            }
+        }
+        study.sweep().discard_saved()?;
         Ok((Some(all), Some(about.to_string())))
+    }
+}
+
+/// What is wrong with devices, or with a sweep.
+fn of_study(error: StudyError) -> PyErr {
+    match error {
+        StudyError::Devices(error) => of_keyword("devices", error),
+        StudyError::Sweep(error) => of_sweep(error),
     }
 }

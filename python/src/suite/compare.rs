@@ -4,13 +4,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
 use topple_studies::comparison::{self, devices};
-use topple_studies::{
-    Comparison, ComparisonError, ComparisonRequest, Intensity, RateRequest, Suite, row_in_comment,
-};
+use topple_studies::{ComparisonRequest, Intensity, RateRequest, row_in_comment};
 
 use super::call::{Call, Tables};
-use super::described::{described_with, text, told};
-use crate::errors::{of_keyword, of_sweep};
+use super::described::{described_with, told};
+use crate::errors::of_keyword;
 use crate::keywords::{given, warn_of_doubts};
 use crate::uncertain::A_SEED;
 
@@ -41,23 +39,11 @@ pub fn compare<'py>(
     if let Some(hazard) = call.hazard(im)? {
         request.rate = Some(RateRequest { im, levels: call.levels(im)?, hazard });
     }
-    request.check().map_err(of_comparison)?;
-    let open = |suite: &Suite| request.open(suite).map(|job| (job.sweep, job.settings));
-    let of = |swept, settings, _: &_| Ok(Comparison::of(swept, settings));
-    let Some(mut compared) = call.run(open, of, of_comparison)? else { return Ok((None, None)) };
-    let made = [("compare", text(|w| comparison::write(&compared, w))?)];
+    let Some(compared) = call.run(&request)? else { return Ok((None, None)) };
     let columns = [&comparison::COLUMNS[..], &comparison::RESERVE, &comparison::RATES].concat();
     let mut about = told(&compared.sweep, &call.suite);
     about["columns"] = described_with(&columns, &compared.settings.columns);
     about["resample"] = json!(compared.settings.groups.by);
     about["groups"] = json!(compared.settings.groups.count);
-    call.tables(made, &about, &mut compared.sweep)
-}
-
-/// What is wrong with devices, or with a sweep of them.
-fn of_comparison(error: ComparisonError) -> PyErr {
-    match error {
-        ComparisonError::Devices(error) => of_keyword("devices", error),
-        ComparisonError::Sweep(error) => of_sweep(error),
-    }
+    call.tables(&request, compared, &about)
 }

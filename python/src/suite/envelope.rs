@@ -4,11 +4,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
 use topple_studies::suites::envelope as tables;
-use topple_studies::{Best, Envelope, EnvelopeRequest, Suite};
+use topple_studies::{Best, EnvelopeRequest};
 
 use super::call::{Call, Tables};
-use super::described::{described_with, text, told_of_grid};
-use crate::errors::{of_scene, of_sweep};
+use super::described::{described_with, told_of_grid};
 use crate::uncertain::{A_SEED, varied};
 
 /// Its own keywords.
@@ -33,17 +32,10 @@ pub fn envelope<'py>(
     request.seed = call.number("seed", A_SEED)?.unwrap_or(request.seed);
     request.samples = call.number("samples", "a number of points")?.unwrap_or(request.samples);
     call.needs(&[])?;
-    request.check().map_err(of_scene)?;
-    let open = |suite: &Suite| request.open(suite).map(|job| (job.sweep, job.settings));
-    let of = |swept, settings, _: &_| Ok(Envelope::of(swept, settings));
-    let Some(mut envelope) = call.run(open, of, of_sweep)? else { return Ok((None, None)) };
-    let made = [
-        ("envelope", text(|w| tables::write(&envelope, w))?),
-        ("zeta", text(|w| tables::write_zeta(&envelope, w))?),
-    ];
+    let Some(envelope) = call.run(&request)? else { return Ok((None, None)) };
     let columns = [&tables::COLUMNS[..], &tables::ZETA_COLUMNS].concat();
     let mut about = told_of_grid(&envelope.sweep, &call.suite);
     about["columns"] = described_with(&columns, &envelope.settings.columns);
     about["best"] = json!(envelope.best().iter().take(BEST).collect::<Vec<_>>());
-    call.tables(made, &about, &mut envelope.sweep)
+    call.tables(&request, envelope, &about)
 }

@@ -3,16 +3,12 @@
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
-use topple::BackendError;
 use topple_studies::fragility::table_columns::{CAPACITIES, COUNTS, FITS, RATES, SENSITIVITY};
-use topple_studies::fragility::tables;
-use topple_studies::{Estimator, FragilityRequest, FragilityStudy, Suite};
+use topple_studies::{Estimator, FragilityRequest};
 
 use super::call::{Call, Tables};
-use super::described::{described, text, told_of_grid};
-use crate::errors::{of_scene, of_sweep};
+use super::described::{described, told_of_grid};
 use crate::uncertain::{A_SEED, varied};
-use crate::watch::Watch;
 
 /// Its own keywords.
 const OWN: &str =
@@ -38,29 +34,10 @@ pub fn fragility<'py>(
     request.bootstrap = call.number("bootstrap", "a number of sets")?;
     request.seed = call.number("seed", A_SEED)?.unwrap_or(request.seed);
     request.samples = call.number("samples", "a number of points")?.unwrap_or(request.samples);
-    let target: Option<f64> = call.number("target", "a number")?;
+    request.target = call.number("target", "a number")?;
     call.needs(&[])?;
     request.hazard = call.hazard(request.im)?;
-    request.check().map_err(of_scene)?;
-    let open = |suite: &Suite| request.open(suite).map(|job| (job.sweep, job.settings));
-    let of = |swept, settings, watch: &Watch| {
-        let study = FragilityStudy::of(swept, settings, watch);
-        Ok(study.ok_or(BackendError::Cancelled)?)
-    };
-    let Some(mut study) = call.run(open, of, of_sweep)? else { return Ok((None, None)) };
-    let mut made = vec![
-        ("fragility", text(|w| tables::write_counts(&study, w))?),
-        ("fits", text(|w| tables::write_fits(&study, w))?),
-    ];
-    if study.settings.unknown.is_some() {
-        made.push(("sensitivity", text(|w| tables::write_sensitivity(&study, w))?));
-        made.push(("points", text(|w| tables::write_points(&study, w))?));
-    } else {
-        made.push(("capacities", text(|w| tables::write_capacities(&study, w))?));
-    }
-    if study.settings.hazard.is_some() {
-        made.push(("rates", text(|w| tables::write_rates(&study, target, w))?));
-    }
+    let Some(study) = call.run(&request)? else { return Ok((None, None)) };
     let columns = [COUNTS.as_slice(), &FITS, &CAPACITIES, &SENSITIVITY, &RATES].concat();
     let mut about = told_of_grid(&study.sweep, &call.suite);
     about["im"] = json!(request.im);
@@ -68,5 +45,5 @@ pub fn fragility<'py>(
     about["resample"] = json!(study.settings.groups.by);
     about["groups"] = json!(study.settings.groups.count);
     about["columns"] = described(&columns, request.im.unit());
-    call.tables(made, &about, &mut study.sweep)
+    call.tables(&request, study, &about)
 }

@@ -64,7 +64,8 @@ impl<R: Real> Inputs<R> {
         record: &[Ground<R>],
     ) -> Inputs<R> {
         let tables = &cells.tables;
-        let mut numbers: Vec<R> = Vec::new();
+        // The record stands before the tables, because a kernel has no more than eight storage buffers.
+        let mut numbers: Vec<R> = bytemuck::cast_slice(record).to_vec();
         let mut firsts: Firsts = [0; AXES];
         for (first, table) in firsts.iter_mut().zip([
             bytemuck::cast_slice(&tables.horizontal.entries),
@@ -110,10 +111,9 @@ impl<R: Real> Inputs<R> {
         let bodies = bytemuck::cast_slice(cells.bodies());
         let bodies = filled::<R>(gpu, "bodies", bodies, BufferUsages::STORAGE);
         let storage = BufferUsages::STORAGE;
-        let record = filled::<R>(gpu, "record", bytemuck::cast_slice(record), storage);
         let numbers = filled::<R>(gpu, "numbers", bytemuck::cast_slice(&numbers), storage);
         let models = [&model, &bodies];
-        let dispatches = dispatch_groups(gpu, &pipelines.sweep, slots, models, &record);
+        let dispatches = dispatch_groups(gpu, &pipelines.sweep, slots, models, &numbers);
         Inputs { model, numbers, motions, tile, by_place, firsts, words, steps, dispatches }
     }
 

@@ -16,7 +16,6 @@ use super::bounded_motions;
 use super::dependence::{Dependence, shared_amplitude};
 use super::kept_motions::Kept;
 use super::motions::{MotionPair, Motions};
-use super::motions_with_forces;
 use super::shared_motion::{MotionSet, Start};
 use super::sharing::sharing;
 use crate::cells::listing::{Entries, Index, occurring};
@@ -126,11 +125,7 @@ impl<R: Real> FullContactMotions<R> {
                 }
                 let starts = &starts[number * lanes..][..slots.len()];
                 let set = MotionSet { variant, direction, record, starts };
-                if plan.asked.forces {
-                    motions_with_forces::integrate(set, slots, level);
-                } else {
-                    bounded_motions::integrate(set, slots, level);
-                }
+                bounded_motions::integrate(set, slots, level);
             });
             (!observer.cancelled()).then_some(motions)
         };
@@ -157,10 +152,15 @@ impl<R: Real> FullContactMotions<R> {
         [&self.across, &self.up].iter().all(|motions| motions.entries.hold(grid, cells))
     }
 
-    /// Motions of u and of v, by their numbers.
+    /// Motions of u and of v, by their numbers, under the record.
     #[inline(always)]
-    pub(crate) fn pair(&self, [across, up]: [usize; 2]) -> MotionPair<'_, R> {
+    pub(crate) fn pair<'a>(
+        &'a self,
+        [across, up]: [usize; 2],
+        record: &'a [Ground<R>],
+    ) -> MotionPair<'a, R> {
         let FullContactMotions { still, variant, level, .. } = *self;
-        MotionPair { across: self.across.at(across), up: self.up.at(up), still, variant, level }
+        let (across, up) = (self.across.at(across), self.up.at(up));
+        MotionPair { across, up, still, variant, record, level }
     }
 }

@@ -3,11 +3,9 @@
 pub(crate) mod bounded_motions;
 pub(crate) mod dependence;
 pub(crate) mod full_contact;
-pub(crate) mod gap_steps;
 pub(crate) mod kept_motions;
 pub(crate) mod motion_cache;
 pub mod motions;
-pub(crate) mod motions_with_forces;
 pub(crate) mod sampling;
 pub(crate) mod shared;
 pub(crate) mod shared_contact;

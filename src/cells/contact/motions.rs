@@ -5,9 +5,12 @@
 use fearless_simd::Level;
 
 use crate::cells::listing::Entries;
+use crate::model::excitation::Ground;
 use crate::model::isolation::Variant;
+use crate::model::motion::Motion;
 use crate::model::real::Real;
 use crate::stepping::spans::Direction;
+use crate::stepping::state::State;
 
 /// u or v at each sample, m.
 pub const DISPLACEMENT: usize = 0;
@@ -33,8 +36,6 @@ pub const MINUS_LOWER_SO_FAR: usize = 8;
 pub const MAGNITUDE_SO_FAR: usize = 9;
 /// Of u: largest magnitude of the acceleration between each sample and the next, crests between steps included.
 pub const MAGNITUDE: usize = 10;
-/// Of u: the acceleration after the first quarter of each gap; two quarters more follow.
-pub const QUARTERS_H: usize = 11;
 
 /// Of v: least v up to each sample, m.
 pub const BOTTOM: usize = 5;
@@ -45,11 +46,9 @@ pub const LOWER_SO_FAR: usize = 6;
 pub const LEAST_SO_FAR: usize = 7;
 /// Of v: least acceleration between each sample and the next, crests between steps included.
 pub const LEAST: usize = 8;
-/// Of v: the acceleration after the first eighth of each gap; six eighths more follow.
-pub const EIGHTHS_V: usize = 9;
 
 /// The most quantities of a motion.
-pub const MOST_FIELDS: usize = 16;
+pub const MOST_FIELDS: usize = 11;
 
 impl Direction {
     /// The quantities of samples that are kept, with the contact forces or without them.
@@ -65,21 +64,9 @@ impl Direction {
 
     /// The quantities of gaps, likewise.
     pub(crate) fn of_gaps(self, forces: bool) -> &'static [usize] {
-        const Q: usize = QUARTERS_H;
-        const E: usize = EIGHTHS_V;
-        const HORIZONTAL: [usize; 9] = [
-            LOWER,
-            UPPER,
-            UPPER_SO_FAR,
-            MINUS_LOWER_SO_FAR,
-            MAGNITUDE,
-            MAGNITUDE_SO_FAR,
-            Q,
-            Q + 1,
-            Q + 2,
-        ];
-        const VERTICAL: [usize; 10] =
-            [LOWER, LOWER_SO_FAR, LEAST, E, E + 1, E + 2, E + 3, E + 4, E + 5, E + 6];
+        const HORIZONTAL: [usize; 6] =
+            [LOWER, UPPER, UPPER_SO_FAR, MINUS_LOWER_SO_FAR, MAGNITUDE, MAGNITUDE_SO_FAR];
+        const VERTICAL: [usize; 3] = [LOWER, LOWER_SO_FAR, LEAST];
         match (self, forces) {
             (Direction::Horizontal, false) => &HORIZONTAL[..4],
             (Direction::Horizontal, true) => &HORIZONTAL,
@@ -208,8 +195,33 @@ pub struct MotionPair<'a, R> {
     pub still: bool,
     /// The variant of the model that the cells of this pair have.
     pub variant: Variant,
+    /// The record.
+    pub record: &'a [Ground<R>],
     /// The vector instructions of this machine.
     pub level: Level,
+}
+
+impl<R: Real> MotionPair<'_, R> {
+    /// The motion at a sample, and the largest displacements up to it.
+    #[inline(always)]
+    pub(crate) fn move_to(&self, scale: R, sample: usize, state: &mut State<R>) {
+        let (h, v, zero) = (self.across, self.up, R::of(0.0));
+        // A motion of v at rest may be shorter: it stays as it is at its last sample.
+        let at = sample.min(v.length - 1);
+        let z = h.field(Z)[sample];
+        state.motion = Motion {
+            u: scale * h.field(DISPLACEMENT)[sample],
+            du: scale * h.field(VELOCITY)[sample],
+            v: v.field(DISPLACEMENT)[at],
+            dv: v.field(VELOCITY)[at],
+            z: if scale < zero { -z } else { z },
+            phi: zero,
+            dphi: zero,
+        };
+        state.max_u = scale.abs() * h.field(TOP)[sample];
+        state.least_v = v.field(BOTTOM)[at];
+        state.most_v = v.field(TOP)[at];
+    }
 }
 
 #[cfg(test)]

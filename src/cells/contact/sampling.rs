@@ -1,9 +1,8 @@
-//! What the two integrators of shared motions have in common: motions on the lanes of a vector, and the values that
-//! are kept of each gap between two samples.
+//! Motions on the lanes of a vector, and the values that are kept of each gap between two samples.
 
 use super::motions::{
-    ACCELERATION, BOTTOM, DISPLACEMENT, LOWER, LOWER_SO_FAR, MINUS_LOWER_SO_FAR, TOP, UPPER,
-    UPPER_SO_FAR, VELOCITY, Z,
+    ACCELERATION, BOTTOM, DISPLACEMENT, LEAST, LEAST_SO_FAR, LOWER, LOWER_SO_FAR, MAGNITUDE,
+    MAGNITUDE_SO_FAR, MINUS_LOWER_SO_FAR, TOP, UPPER, UPPER_SO_FAR, VELOCITY, Z,
 };
 use super::shared_motion::{MotionSet, SLACK};
 use super::written_motions::{BEYOND, Row};
@@ -34,15 +33,18 @@ pub(crate) struct Gaps<V> {
     /// The largest upper bound, and the largest negative of the lower bound, of all gaps so far.
     upper_so_far: V,
     minus_lower_so_far: V,
+    /// The largest |X|, or the least Y, of all gaps so far, crests between steps included.
+    crest_so_far: V,
 }
 
 impl<V: Vector> Gaps<V> {
-    /// The values at the start of the first gap.
+    /// The values at the start of the first gap. A block that lifts at once, at a jump, has no forces on record.
     #[inline(always)]
-    pub fn at(now: V) -> Gaps<V> {
+    pub fn at(now: V, direction: Direction) -> Gaps<V> {
         let [change, none] = [now.like(0.0), now.like(-BEYOND)];
         let [upper_so_far, minus_lower_so_far] = [none; 2];
-        Gaps { now, least: now, most: now, change, upper_so_far, minus_lower_so_far }
+        let crest_so_far = direction.no_crest(now);
+        Gaps { now, least: now, most: now, change, upper_so_far, minus_lower_so_far, crest_so_far }
     }
 
     /// Some lanes have finished a step.
@@ -62,8 +64,8 @@ impl<V: Vector> Gaps<V> {
         self.change = V::select(lanes, self.change.like(0.0), self.change);
     }
 
-    /// The gaps of some lanes end. The result is the row at the sample of each lane, without what belongs to the contact
-    /// forces. The bounds of a gap allow for the values between the ends of steps.
+    /// The gaps of some lanes end. The result is the row at the sample of each lane. The bounds of a gap allow for the
+    /// values between the ends of steps.
     #[inline(always)]
     pub fn end(&mut self, over: V::Mask, lanes: &Lanes<V>, direction: Direction) -> Row<V> {
         let Gaps { least, most, change, now, .. } = *self;
@@ -72,6 +74,7 @@ impl<V: Vector> Gaps<V> {
         let (above, below) = (self.upper_so_far, self.minus_lower_so_far);
         self.upper_so_far = V::select(over, above.max(upper), above);
         self.minus_lower_so_far = V::select(over, below.max(-lower), below);
+        let (so_far, crest) = (self.crest_so_far, lanes.spans.crest);
         let mut row = [now.like(0.0); _];
         let (motion, extremes) = (lanes.motion(), lanes.extremes());
         (row[ACCELERATION], row[LOWER]) = (now, lower);
@@ -81,11 +84,15 @@ impl<V: Vector> Gaps<V> {
                 (row[TOP], row[UPPER]) = (extremes.max_u, upper);
                 row[UPPER_SO_FAR] = self.upper_so_far;
                 row[MINUS_LOWER_SO_FAR] = self.minus_lower_so_far;
+                self.crest_so_far = V::select(over, so_far.max(crest), so_far);
+                (row[MAGNITUDE], row[MAGNITUDE_SO_FAR]) = (crest, self.crest_so_far);
             }
             Direction::Vertical => {
                 (row[DISPLACEMENT], row[VELOCITY]) = (motion.v, motion.dv);
                 (row[BOTTOM], row[TOP]) = (extremes.least_v, extremes.most_v);
                 row[LOWER_SO_FAR] = -self.minus_lower_so_far;
+                self.crest_so_far = V::select(over, so_far.min(crest), so_far);
+                (row[LEAST], row[LEAST_SO_FAR]) = (crest, self.crest_so_far);
             }
         }
         row

@@ -2,14 +2,13 @@
 //! `shaders/shared_contact.wgsl`; the motions are made in [`full_contact`](super::full_contact).
 
 use super::motions::{
-    ACCELERATION, BOTTOM, DISPLACEMENT, LEAST_SO_FAR, LOWER, LOWER_SO_FAR, MAGNITUDE_SO_FAR,
-    MINUS_LOWER_SO_FAR, MotionPair, TOP, UPPER, UPPER_SO_FAR, VELOCITY, Z,
+    ACCELERATION, LEAST_SO_FAR, LOWER, LOWER_SO_FAR, MAGNITUDE_SO_FAR, MINUS_LOWER_SO_FAR,
+    MotionPair, UPPER, UPPER_SO_FAR,
 };
-use super::shared_friction::{at_samples, crests};
+use super::shared_friction::{at_samples, crests, within_gap};
 use crate::model::CellEquations;
 use crate::model::block::Model;
 use crate::model::excitation::Cell;
-use crate::model::motion::Motion;
 use crate::model::number::Number;
 use crate::model::real::{Real, Vector};
 use crate::stepping::certificate::{STEPS_A_TRY, is_final};
@@ -35,7 +34,8 @@ pub(crate) fn full_contact<R: Real>(
     cell: &Cell<R>,
     state: &mut State<R>,
 ) {
-    let variant = motions.variant;
+    let (variant, set) =
+        (motions.variant, CellEquations::of(motions.variant, model, cell, motions.record));
     // u is A_h times its value for A_h = 1.
     let lever = model.height * scale;
     let arms = [model.left.arm, model.right.arm];
@@ -47,12 +47,11 @@ pub(crate) fn full_contact<R: Real>(
     // A motion that is continued after the excitation has one sample per step.
     let mut tried = cell.steps_forced.saturating_add(STEPS_A_TRY);
     while variant.certificate && tried as usize <= sample && tried < cell.steps {
-        let set = CellEquations::of(variant, model, cell, &[]);
-        move_to(motions, scale, tried as usize, state);
+        motions.move_to(scale, tried as usize, state);
         // The contact forces are treated as if they had no extreme yet: they take longer to become known.
         (state.friction, state.min_contact) = (R::of(MOST), R::of(-MOST));
         if stays_final(&set, state) {
-            friction = friction_before(motions, scale.abs(), tried as usize, friction);
+            friction = friction_before(motions, &set, scale, tried as usize, friction);
             meet_forces(motions, model, tried as usize, friction, state);
             if stays_final(&set, state) {
                 (state.step, state.status) = (tried, PROVED);
@@ -61,8 +60,8 @@ pub(crate) fn full_contact<R: Real>(
         }
         tried += STEPS_A_TRY;
     }
-    friction = friction_before(motions, scale.abs(), sample, friction);
-    move_to(motions, scale, sample, state);
+    friction = friction_before(motions, &set, scale, sample, friction);
+    motions.move_to(scale, sample, state);
     meet_forces(motions, model, sample, friction, state);
     // A sample is one step of the cell or several, and a cell has fewer than 2^32 steps.
     state.step = sample as u32 * cell.substeps;
@@ -84,8 +83,14 @@ fn stays_final<R: Real>(set: &CellEquations<R>, state: &State<R>) -> bool {
 
 /// The largest friction demand before a sample, if one is known.
 #[inline(always)]
-fn friction_before<R: Real>(motions: &MotionPair<R>, size: R, sample: usize, known: R) -> R {
-    let (mut friction, none) = (known, R::of(0.0));
+fn friction_before<R: Real>(
+    motions: &MotionPair<R>,
+    set: &CellEquations<R>,
+    scale: R,
+    sample: usize,
+    known: R,
+) -> R {
+    let (mut friction, none, size) = (known, R::of(0.0), scale.abs());
     if !motions.variant.asked.forces || sample == 0 {
         return known;
     }
@@ -96,30 +101,11 @@ fn friction_before<R: Real>(motions: &MotionPair<R>, size: R, sample: usize, kno
     }
     vectorized!(motions.level, none => {
         friction = at_samples(motions, size, sample, known, none);
-        friction = crests(motions, size, sample, friction, none);
+        friction = crests(motions, size, sample, friction, none, |gap, friction| {
+            within_gap(motions, set, scale, gap, friction)
+        });
     });
     friction
-}
-
-/// The motion at a sample, and the largest displacements up to it.
-#[inline(always)]
-fn move_to<R: Real>(motions: &MotionPair<R>, scale: R, sample: usize, state: &mut State<R>) {
-    let (h, v, zero) = (motions.across, motions.up, R::of(0.0));
-    // A motion of v at rest may be shorter: it stays as it is at its last sample.
-    let at = sample.min(v.length - 1);
-    let z = h.field(Z)[sample];
-    state.motion = Motion {
-        u: scale * h.field(DISPLACEMENT)[sample],
-        du: scale * h.field(VELOCITY)[sample],
-        v: v.field(DISPLACEMENT)[at],
-        dv: v.field(VELOCITY)[at],
-        z: if scale < zero { -z } else { z },
-        phi: zero,
-        dphi: zero,
-    };
-    state.max_u = scale.abs() * h.field(TOP)[sample];
-    state.least_v = v.field(BOTTOM)[at];
-    state.most_v = v.field(TOP)[at];
 }
 
 /// The contact forces up to a sample whose friction demand is known.
@@ -202,7 +188,7 @@ fn first_lift<V: Vector>(
 #[cfg(test)]
 mod tests {
     use super::super::motions::{LEAST, MAGNITUDE};
-    use super::super::shared_friction::{OVER, share, within_gaps};
+    use super::super::shared_friction::{OVER, share};
     use super::*;
     use crate::cells::clock::DEFAULT_STEP;
     use crate::cells::plan::Plan;
@@ -224,6 +210,15 @@ mod tests {
             [0.02, -0.1, 0.35, -0.7, 1.0].into_iter().map(move |scale| (cell, scale))
         }) {
             let motions = all.motions_of(&all.tables.cell(cell)).unwrap();
+            let groups = all.tables.groups(&all.tables.cell(cell));
+            let model = &all.bodies()[groups.body as usize];
+            // The shared motion times the scale is the motion of such a cell.
+            let mut numbers = groups.cell();
+            let ratio = of(scale) / groups.drive.scale;
+            numbers.amplitude_h = numbers.amplitude_h * ratio;
+            numbers.hysteretic = numbers.hysteretic * ratio.abs();
+            numbers.inverse_yield = numbers.inverse_yield / ratio.abs();
+            let set = CellEquations::of(motions.variant, model, &numbers, &record);
             let (h, v) = (motions.across, motions.up);
             let (arms, lever, size) = ([of(0.17), of(0.23)], of(scale), of(scale.abs()));
             let (lower_y, x, y) = (v.field(LOWER), h.field(ACCELERATION), v.field(ACCELERATION));
@@ -242,14 +237,16 @@ mod tests {
                 let first = first_beyond(&motions, arms, lever);
                 let sample = first_lift(&motions, arms, lever, first, none);
                 let at_samples = at_samples(&motions, size, sample, of(0.0), none);
-                found = (sample, at_samples, crests(&motions, size, sample, at_samples, none));
+                let crests = crests(&motions, size, sample, at_samples, none, |gap, friction| {
+                    within_gap(&motions, &set, of(scale), gap, friction)
+                });
+                found = (sample, at_samples, crests);
             });
             assert_eq!((found.0, found.1), (sample, friction), "cell {cell}, {scale}");
             let crest = (0..sample).fold(friction, |most, gap| {
                 let (magnitude, least) = (h.field(MAGNITUDE)[gap], v.field(LEAST)[gap_v(gap)]);
                 let looked = size * magnitude > of(1.0 + OVER) * friction * least;
-                let within = || within_gaps(&motions, size, (gap, gap_v(gap)));
-                if looked { most.max(within()) } else { most }
+                if looked { within_gap(&motions, &set, of(scale), gap, most) } else { most }
             });
             // A gap that exceeds the largest friction so far by less than this is not searched.
             let most = crest.max(found.2).to_f64();

@@ -1,12 +1,16 @@
 //! The friction demand of full contact, from the motions that cells share. Twin of `shaders/shared_friction.wgsl`.
 
-use super::motions::{
-    ACCELERATION, EIGHTHS_V, LEAST, LEAST_SO_FAR, MAGNITUDE, MAGNITUDE_SO_FAR, MotionPair,
-    QUARTERS_H,
-};
+use bytemuck::Zeroable;
+
+use super::motions::{ACCELERATION, LEAST, LEAST_SO_FAR, MAGNITUDE, MAGNITUDE_SO_FAR, MotionPair};
+use crate::model::CellEquations;
+use crate::model::dynamics::{Contact, rates};
+use crate::model::isolation::support;
 use crate::model::number::Number;
 use crate::model::real::{Real, Vector};
-use crate::stepping::extremes::{self, end_slopes, parabola};
+use crate::stepping::forcing::Forcing;
+use crate::stepping::rk4::rk4;
+use crate::stepping::state::State;
 
 /// The number of gaps before a sample that are searched as vectors: those in which u and v both have numbers, if they
 /// fill a vector. The others are searched one by one.
@@ -59,20 +63,9 @@ pub(crate) fn at_samples<V: Vector>(
 /// The share of the friction demand by which a gap must exceed it to be searched.
 pub(crate) const OVER: f64 = 2.0e-4;
 
-/// The least of the parabola through three values evenly apart, and at what fraction of the way.
-#[inline(always)]
-fn dip<N: Number>([start, mid, end]: [N; 3]) -> (N, N) {
-    let (zero, one) = (start.like(0.0), start.like(1.0));
-    let (rise, fall) = end_slopes(start, mid, end);
-    let outside = N::select(start.gt(end), one, zero);
-    let inside = zero.gt(rise) & fall.gt(zero);
-    let at = N::select(inside, rise / (rise - fall), outside);
-    (parabola(start, mid, end, at), at)
-}
-
 /// The friction demand up to a sample, crests between samples included. Where the largest |X| of a gap over its least
-/// Y exceeds the largest demand so far, the demand is searched for [within the gap](within_gaps), backwards as [at
-/// the samples](at_samples).
+/// Y exceeds the largest demand so far, `within` tells the demand within the gap, backwards as [at the
+/// samples](at_samples).
 #[inline(always)]
 pub(crate) fn crests<V: Vector>(
     motions: &MotionPair<V::Element>,
@@ -80,6 +73,7 @@ pub(crate) fn crests<V: Vector>(
     sample: usize,
     friction: V::Element,
     zero: V,
+    mut within: impl FnMut(usize, V::Element) -> V::Element,
 ) -> V::Element {
     let over = V::Element::of(1.0 + OVER);
     let (h, v) = (motions.across, motions.up);
@@ -90,9 +84,8 @@ pub(crate) fn crests<V: Vector>(
     let mut friction = friction;
     let mut before = in_vectors::<V>(sample, last_v);
     for gap in (before..sample).rev() {
-        let gap_v = v.gap(gap);
-        if size * magnitude[gap] > over * friction * least_y[gap_v] {
-            friction = friction.max(within_gaps(motions, size, (gap, gap_v)));
+        if size * magnitude[gap] > over * friction * least_y[v.gap(gap)] {
+            friction = within(gap, friction);
         }
     }
     while before > 0 {
@@ -104,14 +97,11 @@ pub(crate) fn crests<V: Vector>(
         let limits = zero.like((over * friction).to_f64());
         let bounds = sizes * zero.first_of(&magnitude[first..]);
         let beyond = V::bits(bounds.gt(limits * zero.first_of(&least_y[first..])));
-        if beyond != 0 {
-            let within = within_gaps(motions, sizes, (first, first));
-            for lane in (0..before - first).rev().filter(|lane| beyond >> lane & 1 == 1) {
-                // The gaps after it may have raised the limit.
-                let gap = first + lane;
-                if size * magnitude[gap] > over * friction * least_y[gap] {
-                    friction = friction.max(within.lane(lane));
-                }
+        for lane in (0..before - first).rev().filter(|lane| beyond >> lane & 1 == 1) {
+            // The gaps after it may have raised the limit.
+            let gap = first + lane;
+            if size * magnitude[gap] > over * friction * least_y[gap] {
+                friction = within(gap, friction);
             }
         }
         before = first;
@@ -119,53 +109,35 @@ pub(crate) fn crests<V: Vector>(
     friction
 }
 
-/// The friction demand within gaps, from these gaps of u and of v on, one in each lane: on parabolas through their
-/// eighths, and at the least Y. The least Y is known; the parabolas tell its time.
-#[inline(always)]
-pub(crate) fn within_gaps<V: Vector>(
-    motions: &MotionPair<V::Element>,
-    size: V,
-    (gap, gap_v): (usize, usize),
-) -> V {
-    let zero = size.like(0.0);
-    let (h, v) = (motions.across, motions.up);
-    let magnitude = zero.first_of(&h.field(MAGNITUDE)[gap..]);
-    let least_y = zero.first_of(&v.field(LEAST)[gap_v..]);
-    let (xs, ys) = (&h.field(ACCELERATION)[gap..], &v.field(ACCELERATION)[gap_v..]);
-    let mut quarters = [zero.first_of(xs); 5];
-    for (number, quarter) in quarters[1..4].iter_mut().enumerate() {
-        *quarter = zero.first_of(&h.field(QUARTERS_H + number)[gap..]);
+/// The friction demand so far and within a gap, of which a cell takes the steps from the shared motions at its start.
+/// They are not cut at the kinks of the Bouc-Wen law, across which z and u' are smooth enough for a gap.
+#[inline(never)]
+pub(crate) fn within_gap<R: Real>(
+    motions: &MotionPair<R>,
+    set: &CellEquations<R>,
+    scale: R,
+    gap: usize,
+    friction: R,
+) -> R {
+    let CellEquations { variant, model, cell, .. } = *set;
+    let (zero, half, one) = (R::of(0.0), R::of(0.5), R::of(1.0));
+    let (none, corner) = (zero.mask(0), &model.left);
+    let mut state = State { friction, ..State::zeroed() };
+    motions.move_to(scale, gap, &mut state);
+    let (mut y, mut extremes) = (state.motion, state.extremes());
+    let mut forcing = Forcing::new(zero);
+    forcing.begin(0, set, gap as u32 * cell.substeps, false);
+    for _ in 0..cell.substeps {
+        let grounds = [zero, half, one].map(|at| forcing.ground(variant, cell, at));
+        let k1 = rates(set, corner, none, &y, grounds[0]);
+        let stepped = rk4(set, corner, none, &y, &k1, forcing.step, [grounds[1], grounds[2]]);
+        let base = support(set, &stepped.y, grounds[2]);
+        let end = Contact { shear: base.f_h, normal: base.f_v };
+        extremes.update_contact(!none, k1.contact(), stepped.mid, end);
+        y = stepped.y;
+        forcing.done = forcing.done + one;
     }
-    quarters[4] = zero.first_of(&xs[1..]);
-    let mut eighths = [zero.first_of(ys); 9];
-    for (number, eighth) in eighths[1..8].iter_mut().enumerate() {
-        *eighth = zero.first_of(&v.field(EIGHTHS_V + number)[gap_v..]);
-    }
-    eighths[8] = zero.first_of(&ys[1..]);
-    // Of spans of two eighths each: the largest share, and |X| at the least Y.
-    let mut ends = zero;
-    let mut top = zero;
-    let (mut least, mut x_there) = (eighths[0], quarters[0]);
-    for span in 0..4 {
-        let half = span / 2 * 2;
-        let early = zero.like(if span % 2 == 0 { 0.25 } else { 0.75 });
-        let between = parabola(quarters[half], quarters[half + 1], quarters[half + 2], early);
-        let x = [quarters[span], between, quarters[span + 1]];
-        let y = [eighths[2 * span], eighths[2 * span + 1], eighths[2 * span + 2]];
-        let start = share(size, x[0], y[0]);
-        let mid = share(size, x[1], y[1]);
-        let end = share(size, x[2], y[2]);
-        ends = ends.max(start).max(mid).max(end);
-        top = top.max(extremes::crest(start, mid, end));
-        let (lower, at) = dip(y);
-        let deeper = least.gt(lower);
-        x_there = V::select(deeper, parabola(x[0], x[1], x[2], at), x_there);
-        least = V::select(deeper, lower, least);
-    }
-    // The result is not above the bound because of which the gap was searched.
-    let bound = share(size, magnitude, least_y).max(ends);
-    let most = top.max(share(size, x_there, least_y)).max(ends).min(bound);
-    V::select(least_y.gt(zero), most, ends)
+    extremes.friction
 }
 
 #[inline(always)]

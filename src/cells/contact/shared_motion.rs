@@ -13,29 +13,6 @@ use crate::stepping::state::State;
 /// The share of its largest value by which an acceleration may exceed its values at the ends of steps: at 64 steps
 /// per period it is at most 1.2e-3.
 pub(crate) const SLACK: f64 = 2.0e-3;
-/// The share of the weight, or of the largest |X|, by which the parabolas through parts of a gap may miss an extremum
-/// there. A faster motion is not shared.
-const MISSED: f64 = 5.0e-4;
-
-impl Direction {
-    /// The number of parts of a gap.
-    pub(crate) fn parts(self) -> u32 {
-        match self {
-            Direction::Horizontal => 4,
-            Direction::Vertical => 8,
-        }
-    }
-
-    /// The error of the parabolas through parts of gaps that is allowed in a motion with this largest |X|, m/s^2.
-    pub(crate) fn allowed<R: Real>(self, magnitude: R, gravity: R) -> R {
-        let of = match self {
-            Direction::Horizontal => magnitude,
-            Direction::Vertical => gravity,
-        };
-        R::of(MISSED) * of
-    }
-}
-
 /// The data with which the integration of a motion begins.
 #[derive(Clone, Copy)]
 pub struct Start<R> {

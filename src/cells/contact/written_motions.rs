@@ -1,7 +1,7 @@
 //! The motions of the lanes of a vector while they are integrated: their numbers go to their [slots](Slots), some samples
 //! at once. To store the numbers of each lane at each sample took as long as the integration.
 
-use super::motions::{DISPLACEMENT, MAGNITUDE_SO_FAR, MOST_FIELDS, Slots};
+use super::motions::{DISPLACEMENT, MOST_FIELDS, Slots};
 use crate::model::real::{Real, Vector};
 use crate::stepping::lanes::each;
 use crate::stepping::spans::Direction;
@@ -105,10 +105,9 @@ impl<'a, 'b, R: Real> WrittenMotions<'a, 'b, R> {
         self.rows = 0;
     }
 
-    /// Ends the motions. Cells that share one for which `missed` is true integrate by themselves, and so do those that
-    /// share a motion that exceeds the range of the number type, which has ended early. `missed` is given the number of the
-    /// motion and its largest |X|.
-    pub(crate) fn end(mut self, missed: impl Fn(usize, R) -> bool) {
+    /// Ends the motions. Cells that share a motion that exceeds the range of the number type, which has ended early,
+    /// integrate by themselves.
+    pub(crate) fn end(mut self) {
         self.store();
         let (direction, beyond) = (self.direction, R::of(BEYOND));
         let [of_samples, _] = self.quantities();
@@ -119,13 +118,7 @@ impl<'a, 'b, R: Real> WrittenMotions<'a, 'b, R> {
                 let last = slots[field][stored - 1];
                 slots[field][stored..].fill(last);
             }
-            let magnitude = match direction {
-                Direction::Horizontal if self.forces && stored > 1 => {
-                    slots[MAGNITUDE_SO_FAR][stored - 2]
-                }
-                _ => R::of(0.0),
-            };
-            if stored < samples || missed(lane, magnitude) {
+            if stored < samples {
                 let [lower, upper] = direction.no_bounds();
                 for &field in lower {
                     slots[field][..gaps].fill(-beyond);
@@ -151,7 +144,7 @@ mod tests {
     }
 
     /// A motion of u with so many samples after so many rows.
-    fn written(samples: usize, rows: usize, missed: bool) -> Vec<Vec<f32>> {
+    fn written(samples: usize, rows: usize) -> Vec<Vec<f32>> {
         let direction = Direction::Horizontal;
         let mut motion = vec![vec![0.0_f32; samples]; direction.fields(true)];
         let mut slots = vec![motion.iter_mut().map(|field| &mut field[..]).collect()];
@@ -160,11 +153,7 @@ mod tests {
         for number in 1..=rows {
             written.add(1, &row(number));
         }
-        written.end(|_, magnitude| {
-            let last = if rows > 0 { number(MAGNITUDE_SO_FAR, rows) } else { 0.0 };
-            assert_eq!(magnitude, last);
-            missed
-        });
+        written.end();
         motion
     }
 
@@ -172,7 +161,7 @@ mod tests {
     #[test]
     fn each_number_goes_to_its_slot() {
         for rows in [0, 1, ROWS - 1, ROWS, ROWS + 1, 3 * ROWS] {
-            let motion = written(rows + 1, rows, false);
+            let motion = written(rows + 1, rows);
             for (field, numbers) in motion.iter().enumerate() {
                 let samples = Direction::Horizontal.of_samples(true).contains(&field);
                 let (first, count) = if samples { (0, rows + 1) } else { (1, rows) };
@@ -182,12 +171,12 @@ mod tests {
         }
     }
 
-    /// A motion that ends early, or whose crests are missed, bounds nothing: its cells integrate by themselves.
+    /// A motion that ends early bounds nothing: its cells integrate by themselves.
     #[test]
     fn a_motion_that_is_not_shared_has_no_bounds() {
         let beyond = BEYOND as f32;
-        for (samples, rows, missed) in [(50, 40, false), (41, 40, true), (7, 0, false)] {
-            let (motion, gaps) = (written(samples, rows, missed), samples - 1);
+        for (samples, rows) in [(50, 40), (7, 0)] {
+            let (motion, gaps) = (written(samples, rows), samples - 1);
             assert!(motion[LOWER][..gaps].iter().all(|lower| *lower == -beyond));
             for field in [UPPER, UPPER_SO_FAR, MINUS_LOWER_SO_FAR] {
                 assert!(motion[field][..gaps].iter().all(|bound| *bound == beyond), "{field}");

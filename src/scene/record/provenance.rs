@@ -66,6 +66,12 @@ pub fn sha256(bytes: &[u8]) -> String {
 }
 
 impl Provenance {
+    /// Its files.
+    pub fn files(&self) -> impl Iterator<Item = &RecordFile> {
+        let others = [&self.horizontal_2, &self.join, &self.join_vertical, &self.vertical];
+        [&self.horizontal].into_iter().chain(others.into_iter().flatten())
+    }
+
     /// The same with the names of the files in the place of their paths, which differ from machine to machine.
     pub fn without_folders(&self) -> Provenance {
         let bare = |file: &RecordFile| RecordFile {

@@ -130,7 +130,7 @@ fn shards_may_come_from_different_backends() {
     let shards = Shards::join(&[room.at("one"), room.at("other")], &Unwatched).unwrap();
     let whole = shards.content.whole();
     let store = shards.store(&room.at("joining")).unwrap();
-    assert_eq!(store.precision(), Precision::F64);
+    assert_eq!(store.files().precision, Precision::F64);
     assert_ne!(store.tag(), whole.identity().unwrap().tag());
 }
 

@@ -13,7 +13,7 @@ use topple::results::palette::STATES;
 use topple::scene::grid;
 use topple::scene::words;
 use topple_studies::fragility::estimate::Estimate;
-use topple_studies::fragility::study::{StateStudy, Study};
+use topple_studies::fragility::study::{FragilityStudy, StateStudy};
 use topple_studies::fragility::{Curve, HazardCurve, Lognormal};
 use topple_studies::suites::intensity::Intensity;
 
@@ -32,7 +32,7 @@ const EDGE: f64 = 0.35;
 const FURTHER: f64 = 4.0;
 
 /// The title, what is fixed, and where the plot below begins.
-pub(super) fn begin(study: &Study, title: &str, print: Print) -> (Canvas, f64) {
+pub(super) fn begin(study: &FragilityStudy, title: &str, print: Print) -> (Canvas, f64) {
     let mut canvas = print.canvas(COLUMN);
     let mut parts = words::fixed(&study.known());
     if let Some(unknown) = &study.settings.unknown {
@@ -45,7 +45,7 @@ pub(super) fn begin(study: &Study, title: &str, print: Print) -> (Canvas, f64) {
 
 /// Draws the curves of a study of one cell: the shares of the records that fail at each level, by weight, and what the first
 /// estimator makes of them, dashed where no data are: below the lowest level at which a record fails, above the highest level.
-pub fn curves(study: &Study, intensity: Intensity, print: Print) -> Picture {
+pub fn curves(study: &FragilityStudy, intensity: Intensity, print: Print) -> Picture {
     let title = format!("Fragility under {} motions", study.records().count());
     let (mut canvas, top) = begin(study, print.title.unwrap_or(&title), print);
     let wide = canvas.inner();
@@ -151,7 +151,7 @@ pub fn curves(study: &Study, intensity: Intensity, print: Print) -> Picture {
 }
 
 /// True where a curve has a band: an interval of θ with two ends.
-fn has_bands(study: &Study) -> bool {
+fn has_bands(study: &FragilityStudy) -> bool {
     let fits = study.cells[0].states.iter().map(|of| &of.estimates[0]);
     let ends = |fit: &Estimate| fit.theta_low.and(fit.theta_high).and(fit.beta);
     fits.map(ends).any(|end| end.is_some())
@@ -180,7 +180,12 @@ pub(super) fn digits(value: f64) -> String {
 }
 
 /// Draws theta of each limit state along an axis, with its interval.
-pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity, print: Print) -> Picture {
+pub fn along(
+    study: &FragilityStudy,
+    axis: &grid::Axis,
+    intensity: Intensity,
+    print: Print,
+) -> Picture {
     let title = format!("Median fragility under {} motions", study.records().count());
     let (mut canvas, top) = begin(study, print.title.unwrap_or(&title), print);
     let wide = canvas.inner();
@@ -242,7 +247,7 @@ pub fn along(study: &Study, axis: &grid::Axis, intensity: Intensity, print: Prin
 /// # Errors
 /// [`FigureError::Encode`].
 pub fn maps(
-    study: &Study,
+    study: &FragilityStudy,
     state: usize,
     intensity: Intensity,
     target: Option<(&[Option<f64>], f64)>,

@@ -9,12 +9,14 @@ use crate::fragility::runs::Pool;
 use crate::fragility::suite_runs::run_of;
 use crate::fragility::{Estimate, Estimator, HazardCurve, RecordRuns, Stripe, estimate, rates};
 use crate::statistics::{Bootstrap, DrawnGroups};
+use crate::study::Study;
 use crate::suites::envelope::{CellEnvelope, Limits, percentiles, within};
 use crate::suites::swept::SuiteSweep;
 use crate::suites::swept_motion::SweptMotion;
 use topple::results::columns::Column;
 use topple::scene::Parameter;
 use topple::stepping::outcome::Class;
+use topple::work::observer::Observer;
 
 /// Devices under a suite, with the results of each.
 #[derive(Debug)]
@@ -71,9 +73,10 @@ pub struct Reserve {
     pub fails: Option<f64>,
 }
 
-impl Comparison {
-    /// Compares the devices of a sweep.
-    pub fn of(sweep: SuiteSweep, settings: ComparisonSettings) -> Comparison {
+impl Study for Comparison {
+    type Settings = ComparisonSettings;
+
+    fn of(sweep: SuiteSweep, settings: ComparisonSettings, _: &dyn Observer) -> Option<Comparison> {
         let ComparisonSettings { limits, groups, bootstrap, hazard, .. } = &settings;
         let drawn = DrawnGroups::of(&groups.of, groups.count, bootstrap);
         let each = (sweep.motions.len() / settings.devices.len().max(1)).max(1);
@@ -130,9 +133,15 @@ impl Comparison {
             })
         };
         let devices = devices.filter_map(of_device).collect();
-        Comparison { sweep, settings, devices }
+        Some(Comparison { sweep, settings, devices })
     }
 
+    fn sweep(&mut self) -> &mut SuiteSweep {
+        &mut self.sweep
+    }
+}
+
+impl Comparison {
     /// How many motions each device has.
     pub fn records(&self) -> usize {
         self.sweep.motions.len() / self.settings.devices.len().max(1)

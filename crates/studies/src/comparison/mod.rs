@@ -6,7 +6,6 @@
 
 mod compared;
 pub mod devices;
-mod error;
 pub mod request;
 mod settings;
 mod shaken;
@@ -14,7 +13,6 @@ mod table;
 
 pub use compared::{Compared, Comparison, Rated, Reserve, STATES};
 pub use devices::Device;
-pub use error::ComparisonError;
-pub use request::{ComparisonJob, ComparisonRequest, RateRequest};
+pub use request::{ComparisonRequest, RateRequest};
 pub use settings::ComparisonSettings;
-pub use table::{COLUMNS, RATES, RESERVE, write};
+pub use table::{COLUMNS, RATES, RESERVE};

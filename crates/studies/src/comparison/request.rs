@@ -2,12 +2,13 @@
 
 use super::compared::Comparison;
 use super::devices::Device;
-use super::error::ComparisonError;
 use super::settings::ComparisonSettings;
 use super::shaken::Shaken;
+use super::table::write;
 use crate::fragility::HazardCurve;
 use crate::fragility::levels;
 use crate::statistics::Bootstrap;
+use crate::study::{StudyError, StudyJob, StudyRequest, StudyTable};
 use crate::suites::columns::check_further;
 use crate::suites::envelope::Limits;
 use crate::suites::intensity::Intensity;
@@ -17,8 +18,6 @@ use crate::suites::swept::SuiteJob;
 use crate::suites::{Falling, Groups, Resample, Suite};
 use topple::results::columns::Column;
 use topple::scene::{Grid, Parameter, SceneError, Values};
-use topple::sweep::error::SweepError;
-use topple::work::observer::Observer;
 
 /// Devices that are to be compared under a suite.
 #[derive(Debug, Clone)]
@@ -52,14 +51,6 @@ pub struct RateRequest {
     pub hazard: HazardCurve,
 }
 
-/// A comparison that is ready to run.
-pub struct ComparisonJob {
-    /// All devices under all motions.
-    pub sweep: SuiteJob,
-    /// What is computed for them.
-    pub settings: ComparisonSettings,
-}
-
 impl ComparisonRequest {
     /// The comparison of devices within limits.
     pub fn new(devices: Vec<Device>, suite: SuiteRequest, limits: Limits) -> ComparisonRequest {
@@ -81,25 +72,24 @@ impl ComparisonRequest {
         scene.force = self.suite.scene.force;
         SuiteRequest { scene, ..self.suite.clone() }
     }
+}
 
-    /// Checks what can be checked before a suite is read.
-    ///
-    /// # Errors
-    /// The first key at fault, or the device, with what to do.
-    pub fn check(&self) -> Result<(), ComparisonError> {
-        let of_scene = |error: SceneError| ComparisonError::from(SweepError::from(error));
-        let refused = |key, problem: String| Err(of_scene(SceneError::new(key, problem)));
+impl StudyRequest for ComparisonRequest {
+    type Study = Comparison;
+
+    fn check(&self) -> Result<(), StudyError> {
+        let refused = |key, problem: String| Err(SceneError::new(key, problem).into());
         if let Some(Err(error)) = self.scales.as_ref().map(Values::check) {
             return refused("scales", error.to_string());
         }
         let scales: Vec<f64> = self.scales.iter().flat_map(Values::iter).collect();
-        above_zero("scales", &scales).map_err(of_scene)?;
-        check_further(&self.columns).map_err(of_scene)?;
+        above_zero("scales", &scales)?;
+        check_further(&self.columns)?;
         let standing = Limits { u: None, v: None, ..self.limits };
         for device in &self.devices {
             let of = self.of(device);
             of.check().map_err(|error| device.refused(&error))?;
-            of.check_envelope(&standing).map_err(of_scene)?;
+            of.check_envelope(&standing)?;
         }
         // A limit means something where one device moves in its direction.
         for (u, v) in [(self.limits.u, None), (None, self.limits.v)] {
@@ -108,20 +98,16 @@ impl ComparisonRequest {
             if let (false, Some(Err(error))) =
                 (checked.iter().any(Result::is_ok), checked.into_iter().next())
             {
-                return Err(of_scene(error));
+                return Err(error.into());
             }
         }
         Ok(())
     }
 
-    /// Makes it ready to run under a suite.
-    ///
-    /// # Errors
-    /// Those of [`check`](ComparisonRequest::check), a device that makes no scene, a backend that cannot be had.
-    pub fn open(&self, suite: &Suite) -> Result<ComparisonJob, ComparisonError> {
+    fn open(&self, suite: &Suite) -> Result<StudyJob<Comparison>, StudyError> {
         self.check()?;
         let directions = if self.suite.both_directions { 2 } else { 1 };
-        let groups = Groups::of(suite, directions, self.resample).map_err(SweepError::from)?;
+        let groups = Groups::of(suite, directions, self.resample)?;
         let mut scales: Vec<f64> = self.scales.iter().flat_map(Values::iter).collect();
         scales.sort_by(f64::total_cmp);
         let requests: Vec<SuiteRequest> =
@@ -141,8 +127,7 @@ impl ComparisonRequest {
                     None => vec![Vec::new(); motions.len()],
                     Some(RateRequest { im, levels, .. }) => {
                         let block = &scene.case().block;
-                        levels::scale(&mut motions, *im, levels.as_ref(), block)
-                            .map_err(SweepError::from)?
+                        levels::scale(&mut motions, *im, levels.as_ref(), block)?
                     }
                 };
                 for (motion, levels) in motions.iter_mut().zip(levels) {
@@ -166,42 +151,40 @@ impl ComparisonRequest {
         let settings = ComparisonSettings {
             devices: self.devices.clone(),
             limits: self.limits,
-            scales,
             columns: self.columns.clone(),
             others,
             hazard: self.rate.as_ref().map(|rate| rate.hazard.clone()),
             groups,
             bootstrap: Bootstrap { replicates: Bootstrap::usual(1), seed: self.seed.into() },
+            scenes: sweep.scenes(self.devices.len()),
+            falling: falling(&sweep, (&shaken, self.devices.len()), &scales),
+            scales,
             shaken,
         };
-        Ok(ComparisonJob { sweep, settings })
+        let scenes = settings.scenes.clone();
+        Ok(StudyJob { sweep, settings, times: self.devices.len(), scenes })
+    }
+
+    fn tables(&self) -> Vec<StudyTable<Comparison>> {
+        vec![("compare.csv", write)]
     }
 }
 
-impl ComparisonJob {
-    /// The levels of the hazard's measure, and the factors of the reserve, at which the ground accelerates downwards by more than g.
-    pub fn falling(&self) -> [Option<Falling>; 2] {
-        let ComparisonSettings { devices, shaken, scales, .. } = &self.settings;
-        let down = self.sweep.downward();
-        // The motions of all devices are the same.
-        let each = shaken.iter().zip(&down).take(shaken.len() / devices.len().max(1));
-        let levels = each.clone().flat_map(|(shaken, down)| {
-            shaken.levels.iter().filter_map(|(at, level)| Some((*level, *down.get(*at)?)))
-        });
-        let scales = each.flat_map(|(shaken, down)| {
-            scales
-                .iter()
-                .zip(&shaken.scales)
-                .filter_map(|(scale, at)| Some((*scale, *down.get(*at)?)))
-        });
-        [Falling::of(levels), Falling::of(scales)]
-    }
-
-    /// Runs the sweep and compares the devices.
-    ///
-    /// # Errors
-    /// Those of [`SuiteJob::run`].
-    pub fn run(self, observer: &dyn Observer) -> Result<Comparison, SweepError> {
-        Ok(Comparison::of(self.sweep.run(observer)?, self.settings))
-    }
+/// The levels of the hazard's measure, and the factors of the reserve, at which the ground accelerates downwards by more than g.
+fn falling(
+    sweep: &SuiteJob,
+    (shaken, devices): (&[Shaken], usize),
+    scales: &[f64],
+) -> [Option<Falling>; 2] {
+    let down = sweep.downward();
+    // The motions of all devices are the same.
+    let each = shaken.iter().zip(&down).take(shaken.len() / devices.max(1));
+    let levels = each.clone().flat_map(|(shaken, down)| {
+        shaken.levels.iter().filter_map(|(at, level)| Some((*level, *down.get(*at)?)))
+    });
+    let scales = each.flat_map(|(shaken, down)| {
+        let factors = scales.iter().zip(&shaken.scales);
+        factors.filter_map(|(scale, at)| Some((*scale, *down.get(*at)?)))
+    });
+    [Falling::of(levels), Falling::of(scales)]
 }

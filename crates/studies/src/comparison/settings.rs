@@ -4,9 +4,10 @@ use super::devices::Device;
 use super::shaken::Shaken;
 use crate::fragility::HazardCurve;
 use crate::statistics::Bootstrap;
-use crate::suites::Groups;
 use crate::suites::envelope::Limits;
+use crate::suites::{Falling, Groups};
 use topple::results::columns::Column;
+use topple::scene::Scene;
 
 /// What is computed for devices.
 #[derive(Debug, Clone)]
@@ -27,6 +28,10 @@ pub struct ComparisonSettings {
     pub groups: Groups,
     /// How sets of them are drawn.
     pub bootstrap: Bootstrap,
+    /// Levels of the hazard's measure, and factors for the reserve, at which the ground accelerates downwards by more than g.
+    pub falling: [Option<Falling>; 2],
+    /// The scene of each device under its first motion.
+    pub scenes: Vec<Scene>,
     /// Which of the factors of each motion of the sweep are what.
     pub(super) shaken: Vec<Shaken>,
 }

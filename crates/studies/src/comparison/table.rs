@@ -71,7 +71,7 @@ pub const RATES: [TableColumn; 5] = [
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write(comparison: &Comparison, writer: impl Write) -> io::Result<()> {
+pub(super) fn write(comparison: &Comparison, writer: &mut dyn Write) -> io::Result<()> {
     let mut table = csv::Writer::from_writer(writer);
     let settings = &comparison.settings;
     let (reserves, rates) = (!settings.scales.is_empty(), settings.hazard.is_some());

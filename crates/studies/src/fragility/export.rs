@@ -6,7 +6,8 @@ use super::curve::Lognormal;
 use super::hazard_openquake::unit_of_openquake;
 use super::limit_state::LimitState;
 use super::order::implies;
-use super::study::Study;
+use super::study::FragilityStudy;
+use crate::study::StudyTable;
 use crate::suites::columns;
 use crate::suites::intensity::Intensity;
 use topple::scene::SceneError;
@@ -72,25 +73,22 @@ impl Export {
         Err(SceneError::new("export", problem))
     }
 
-    /// Writes the curves of a study by its first estimator.
-    ///
-    /// # Errors
-    /// Those of the writer.
-    pub fn write(self, study: &Study, measure: Intensity, writer: impl Write) -> io::Result<()> {
+    /// The table of the curves of a study by its first estimator.
+    pub fn table(&self) -> StudyTable<FragilityStudy> {
         match self {
-            Export::Nrml => write_nrml(study, measure, writer),
-            Export::Pelicun => write_pelicun(study, measure, writer),
+            Export::Nrml => (self.file(), write_nrml),
+            Export::Pelicun => (self.file(), write_pelicun),
         }
     }
 
     /// True where a study has nothing for it: in each cell a limit state has no curve.
-    pub fn is_empty(self, study: &Study) -> bool {
+    pub fn is_empty(self, study: &FragilityStudy) -> bool {
         self.left_out(study).1 == study.cells.len()
     }
 
     /// What of a study is in no row or function: limit states that do not follow each other, and how many cells have a limit state
     /// without a curve.
-    pub fn left_out(self, study: &Study) -> (Vec<LimitState>, usize) {
+    pub fn left_out(self, study: &FragilityStudy) -> (Vec<LimitState>, usize) {
         let chains = chains(&study.settings.states);
         let written = match self {
             Export::Nrml => &chains[..1],
@@ -124,7 +122,7 @@ fn chains(states: &[LimitState]) -> Vec<(&'static str, Vec<LimitState>)> {
 }
 
 /// The curves of some limit states of a cell by the first estimator, a step as a steep curve; none unless each has one.
-fn curves(study: &Study, cell: usize, chain: &[LimitState]) -> Option<Vec<Lognormal>> {
+fn curves(study: &FragilityStudy, cell: usize, chain: &[LimitState]) -> Option<Vec<Lognormal>> {
     let of = |state: &LimitState| {
         let number = study.settings.states.iter().position(|known| known == state)?;
         // Other programs have lognormal curves alone.
@@ -136,7 +134,7 @@ fn curves(study: &Study, cell: usize, chain: &[LimitState]) -> Option<Vec<Lognor
 
 /// What a cell is called: `block`, or the values of its axes, `t_h:1.5/t_v:0.5`. pelicun separates what it knows of a component
 /// by `-`, so that a number below zero has an `m` in its place.
-fn name(study: &Study, cell: usize) -> String {
+fn name(study: &FragilityStudy, cell: usize) -> String {
     let grid = &study.sweep.grid;
     let values = columns::values(grid, cell);
     let parts: Vec<String> = columns::keys(grid)
@@ -158,7 +156,8 @@ fn moments(curve: &Lognormal) -> [f64; 2] {
     [mean, mean * square.exp_m1().sqrt()]
 }
 
-fn write_nrml(study: &Study, measure: Intensity, mut out: impl Write) -> io::Result<()> {
+fn write_nrml(study: &FragilityStudy, out: &mut dyn Write) -> io::Result<()> {
+    let measure = study.settings.im;
     let unnamed = || io::Error::new(io::ErrorKind::InvalidInput, "OpenQuake has no such measure");
     let (imt, unit, scale) = unit_of_openquake(measure).ok_or_else(unnamed)?;
     let chains = chains(&study.settings.states);
@@ -206,7 +205,8 @@ fn demand(measure: Intensity) -> Option<(String, &'static str)> {
     }
 }
 
-fn write_pelicun(study: &Study, measure: Intensity, out: impl Write) -> io::Result<()> {
+fn write_pelicun(study: &FragilityStudy, out: &mut dyn Write) -> io::Result<()> {
+    let measure = study.settings.im;
     let unnamed = || io::Error::new(io::ErrorKind::InvalidInput, "pelicun has no such measure");
     let (demand, unit) = demand(measure).ok_or_else(unnamed)?;
     let chains = chains(&study.settings.states);

@@ -39,7 +39,7 @@ pub mod stripes;
 pub mod study;
 pub(crate) mod suite_runs;
 pub mod table_columns;
-pub mod tables;
+mod tables;
 
 pub use capacity::{Capacity, share_that_stands_again};
 pub use curve::{Curve, Lognormal};
@@ -49,5 +49,5 @@ pub use fit::{Fit, Gap};
 pub use hazard::{AnnualRate, HazardCurve, in_50_years};
 pub use hazard_text::HazardText;
 pub use rates::RateEstimate;
-pub use request::{FragilityJob, FragilityRequest};
+pub use request::{FragilityRequest, RUNS};
 pub use runs::{RecordRuns, Run, Stripe};

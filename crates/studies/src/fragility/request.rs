@@ -1,30 +1,30 @@
 //! What is asked of a fragility: limit states, levels, estimators, and what is not known.
 
 use super::estimate::Estimator;
+use super::export::Export;
 use super::hazard::HazardCurve;
 use super::levels;
 use super::limit_state::LimitState;
 use super::sensitivity::Unknown;
-use super::study::{Study, StudySettings};
+use super::study::{FragilityStudy, StudySettings};
+use super::tables;
 use crate::statistics::Bootstrap;
 use crate::statistics::bca::FEWEST;
+use crate::study::{StudyError, StudyJob, StudyRequest, StudyTable};
 use crate::suites::intensity::Intensity;
 use crate::suites::request::{SuiteRequest, above_zero};
-use crate::suites::swept::{MOST_CELLS, MOST_SWEEPS, SuiteJob};
+use crate::suites::swept::{MOST_CELLS, MOST_SWEEPS};
 use crate::suites::wanted::WantedMotion;
 use crate::suites::{Falling, Groups, Resample, Suite};
 use crate::uncertain::{Ensemble, SAMPLES, Varied, check_samples};
-use topple::backend::backend_error::BackendError;
 use topple::scene::parameters::Section;
 use topple::scene::{Parameter, Scene, SceneError, Values};
-use topple::sweep::error::SweepError;
-use topple::work::observer::Observer;
 
 /// A scene whose fragility under a suite is requested.
 ///
 /// ```no_run
 /// use topple::{Parameter, Range, SceneBuilder, Unwatched};
-/// use topple_studies::{FragilityRequest, Suite, SuiteRequest};
+/// use topple_studies::{FragilityRequest, StudyRequest, Suite, SuiteRequest};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let suite = Suite::read("records".as_ref(), false)?;
@@ -69,16 +69,14 @@ pub struct FragilityRequest {
     pub vary: Vec<Varied>,
     /// Points N that are drawn of k of these: N (k + 2) are run.
     pub samples: u32,
+    /// The annual rate that is accepted, which those of the hazard are compared with.
+    pub target: Option<f64>,
+    /// Formats of other programs that the curves are also written in.
+    pub exports: Vec<Export>,
 }
 
-/// A fragility that is ready to run.
-pub struct FragilityJob {
-    /// The sweeps.
-    pub sweep: SuiteJob,
-    /// What is estimated of them, and how.
-    pub settings: StudySettings,
-}
-
+/// Each run by itself, of a few cells.
+pub const RUNS: &str = "runs.csv";
 /// Most sets that are drawn.
 const MOST_REPLICATES: u32 = 1_000_000;
 /// Most limits of one kind.
@@ -103,15 +101,17 @@ impl FragilityRequest {
             seed: 1,
             vary: Vec::new(),
             samples: SAMPLES,
+            target: None,
+            exports: Vec::new(),
         }
     }
+}
 
-    /// Checks what can be checked before a suite is read.
-    ///
-    /// # Errors
-    /// The first key at fault, with what to do.
-    pub fn check(&self) -> Result<(), SceneError> {
-        let refused = |key, problem: String| Err(SceneError::new(key, problem));
+impl StudyRequest for FragilityRequest {
+    type Study = FragilityStudy;
+
+    fn check(&self) -> Result<(), StudyError> {
+        let refused = |key, problem: String| Err(SceneError::new(key, problem).into());
         for (key, limits) in [
             ("limit_zeta", &self.limit_zeta),
             ("limit_u", &self.limit_u),
@@ -162,35 +162,12 @@ impl FragilityRequest {
             let problem = format!("{} takes a number for known; `vary` has stripes", other.name());
             return refused("estimator", problem);
         }
-        self.suite.check()
+        self.suite.check()?;
+        above_zero("target", self.target.as_slice())?;
+        Ok(self.exports.iter().try_for_each(|export| export.check(self.im))?)
     }
 
-    /// The limit states.
-    pub fn limit_states(&self) -> Vec<LimitState> {
-        let zeta = self.limit_zeta.iter().copied().map(LimitState::Zeta);
-        let u = self.limit_u.iter().copied().map(LimitState::U);
-        let v = self.limit_v.iter().copied().map(LimitState::V);
-        let all = [LimitState::Overturning, LimitState::Uplift].into_iter().chain(zeta);
-        once(all.chain(u).chain(v))
-    }
-
-    /// The estimators; the first is the one that is drawn.
-    fn estimators(&self) -> Vec<Estimator> {
-        match &self.estimators[..] {
-            [] if !self.vary.is_empty() => vec![Estimator::Stripes],
-            [] => {
-                let all = Estimator::ALL.into_iter();
-                all.filter(|one| self.levels.is_some() || *one != Estimator::Ida).collect()
-            }
-            asked => once(asked.iter().copied()),
-        }
-    }
-
-    /// Makes it ready to run under a suite.
-    ///
-    /// # Errors
-    /// Those of [`check`](FragilityRequest::check), numbers that make no sense, a backend that cannot be had.
-    pub fn open(&self, suite: &Suite) -> Result<FragilityJob, SweepError> {
+    fn open(&self, suite: &Suite) -> Result<StudyJob<FragilityStudy>, StudyError> {
         self.check()?;
         let (asked, factors) = self.with_factors();
         self.suite.check_scales(suite)?;
@@ -226,8 +203,13 @@ impl FragilityRequest {
         let usual = Bootstrap::usual(sweep.grid.len());
         let bootstrap =
             Bootstrap { replicates: self.bootstrap.unwrap_or(usual), seed: self.seed.into() };
-        let hazard = self.hazard.clone();
+        let down = sweep.downward();
+        // Numbers that are not known change no motion.
+        let each = own.iter().zip(&down).step_by(times);
+        let runs = each.flat_map(|(levels, down)| levels.iter().copied().zip(down.iter().copied()));
         let settings = StudySettings {
+            im: self.im,
+            falling: Falling::of(runs),
             levels: own,
             times,
             drawn,
@@ -236,9 +218,51 @@ impl FragilityRequest {
             estimators,
             bootstrap,
             groups,
-            hazard,
+            hazard: self.hazard.clone(),
+            target: self.target,
         };
-        Ok(FragilityJob { sweep, settings })
+        let scenes = vec![sweep.scene.clone()];
+        Ok(StudyJob { sweep, settings, times, scenes })
+    }
+
+    fn tables(&self) -> Vec<StudyTable<FragilityStudy>> {
+        let mut all: Vec<StudyTable<FragilityStudy>> =
+            vec![("fragility.csv", tables::write_counts), ("fits.csv", tables::write_fits)];
+        if self.vary.is_empty() {
+            all.push(("capacities.csv", tables::write_capacities));
+            all.push((RUNS, tables::write_runs));
+        } else {
+            all.push(("sensitivity.csv", tables::write_sensitivity));
+            all.push(("points.csv", tables::write_points));
+        }
+        if self.hazard.is_some() {
+            all.push(("rates.csv", tables::write_rates));
+        }
+        all.extend(Export::ALL.iter().filter(|one| self.exports.contains(one)).map(Export::table));
+        all
+    }
+}
+
+impl FragilityRequest {
+    /// The limit states.
+    pub fn limit_states(&self) -> Vec<LimitState> {
+        let zeta = self.limit_zeta.iter().copied().map(LimitState::Zeta);
+        let u = self.limit_u.iter().copied().map(LimitState::U);
+        let v = self.limit_v.iter().copied().map(LimitState::V);
+        let all = [LimitState::Overturning, LimitState::Uplift].into_iter().chain(zeta);
+        once(all.chain(u).chain(v))
+    }
+
+    /// The estimators; the first is the one that is drawn.
+    fn estimators(&self) -> Vec<Estimator> {
+        match &self.estimators[..] {
+            [] if !self.vary.is_empty() => vec![Estimator::Stripes],
+            [] => {
+                let all = Estimator::ALL.into_iter();
+                all.filter(|one| self.levels.is_some() || *one != Estimator::Ida).collect()
+            }
+            asked => once(asked.iter().copied()),
+        }
     }
 
     /// The request of the suite, and the factors on its motions where the scene has several: they are no axis but levels of each
@@ -300,28 +324,6 @@ impl FragilityRequest {
         let points: Vec<Vec<f64>> = unknown.design.rows().cloned().collect();
         let _checked = ensemble.scenes(&points)?;
         Ok(Some(unknown))
-    }
-}
-
-impl FragilityJob {
-    /// The levels at which the ground accelerates downwards by more than g.
-    pub fn falling(&self) -> Option<Falling> {
-        let (down, times) = (self.sweep.downward(), self.settings.times.max(1));
-        // Numbers that are not known change no motion.
-        let each = self.settings.levels.iter().zip(&down).step_by(times);
-        Falling::of(
-            each.flat_map(|(levels, down)| levels.iter().copied().zip(down.iter().copied())),
-        )
-    }
-
-    /// Runs the sweeps and estimates the fragility of every cell.
-    ///
-    /// # Errors
-    /// Those of [`SuiteJob::run`], and that the observer ended it.
-    pub fn run(self, observer: &dyn Observer) -> Result<Study, SweepError> {
-        let swept = self.sweep.run(observer)?;
-        let study = Study::of(swept, self.settings, observer);
-        Ok(study.ok_or(BackendError::Cancelled)?)
     }
 }
 

@@ -2,16 +2,21 @@
 
 use super::capacity::{Capacity, share_that_stands_again};
 use super::estimate::{Estimate, Estimator, estimate};
+use super::export::Export;
 use super::hazard::HazardCurve;
 use super::limit_state::LimitState;
 use super::order::{self, Crossing};
 use super::rates;
+use super::request::RUNS;
 use super::runs::{Pool, RecordRuns, Run, Stripe};
 use super::sensitivity::{Sensitivity, Unknown};
 use super::suite_runs::SuiteRuns;
 use crate::statistics::Bootstrap;
-use crate::suites::Groups;
+use crate::statistics::bootstrap::MANY;
+use crate::study::Study;
+use crate::suites::intensity::Intensity;
 use crate::suites::swept::SuiteSweep;
+use crate::suites::{Falling, Groups};
 use crate::uncertain::Varied;
 use topple::scene::Scene;
 use topple::work::observer::{Observer, Phase};
@@ -20,6 +25,10 @@ use topple::work::parallel;
 /// What a study estimates, and how.
 #[derive(Debug, Clone)]
 pub struct StudySettings {
+    /// The measure of the fragility.
+    pub im: Intensity,
+    /// Levels at which the ground accelerates downwards by more than g.
+    pub falling: Option<Falling>,
     /// The level of each motion at each of its factors.
     pub levels: Vec<Vec<f64>>,
     /// Motions of each record: more than one where numbers vary. They follow each other.
@@ -38,11 +47,13 @@ pub struct StudySettings {
     pub groups: Groups,
     /// The hazard of the site, where annual rates are wanted.
     pub hazard: Option<HazardCurve>,
+    /// The annual rate that is accepted.
+    pub target: Option<f64>,
 }
 
 /// The cells of a grid under a suite, with what is estimated of each.
 #[derive(Debug)]
-pub struct Study {
+pub struct FragilityStudy {
     /// The sweeps that it was made of.
     pub sweep: SuiteSweep,
     /// What is estimated of them, and how.
@@ -79,13 +90,14 @@ pub struct StateStudy {
     pub sensitivity: Option<Sensitivity>,
 }
 
-impl Study {
-    /// Estimates the fragility of every cell; none where `observer` ends it.
-    pub fn of(
+impl Study for FragilityStudy {
+    type Settings = StudySettings;
+
+    fn of(
         sweep: SuiteSweep,
         settings: StudySettings,
         observer: &dyn Observer,
-    ) -> Option<Study> {
+    ) -> Option<FragilityStudy> {
         observer.begins(Phase::Fitting, sweep.grid.len() * settings.states.len());
         let (levels, groups) = (&settings.levels, &settings.groups.of);
         let shaken = SuiteRuns { sweep: &sweep, levels, times: settings.times, groups };
@@ -123,9 +135,22 @@ impl Study {
             })
         };
         let cells = parallel::each(sweep.grid.len(), 1, cell).into_iter().collect::<Option<_>>()?;
-        Some(Study { sweep, settings, cells })
+        Some(FragilityStudy { sweep, settings, cells })
     }
 
+    fn sweep(&mut self) -> &mut SuiteSweep {
+        &mut self.sweep
+    }
+
+    fn has(&self, file: &str) -> bool {
+        match Export::ALL.into_iter().find(|export| export.file() == file) {
+            Some(export) => !export.is_empty(self),
+            None => file != RUNS || self.cells.len() <= MANY,
+        }
+    }
+}
+
+impl FragilityStudy {
     /// Where curves of ordered limit states cross in a cell, by the first estimator.
     pub fn crossings(&self, cell: usize) -> Vec<Crossing> {
         let fits: Vec<&Estimate> =

@@ -1,12 +1,12 @@
 //! The tables of a study: fragility.csv, fits.csv, capacities.csv and rates.csv.
 
-use std::io::Write;
+use std::io::{self, Write};
 
 use super::estimate::Estimate;
 use super::hazard::in_50_years;
 use super::limit_state::LimitState;
 use super::rates::RateEstimate;
-use super::study::{CellStudy, StateStudy, Study};
+use super::study::{CellStudy, FragilityStudy, StateStudy};
 use super::table_columns::{CAPACITIES, COUNTS, FITS, POINTS, RATES, RUNS, SENSITIVITY};
 use crate::suites::columns;
 use crate::suites::grid_table::GridTable;
@@ -18,7 +18,7 @@ fn known(value: Option<f64>) -> Option<Number> {
 }
 
 /// Every limit state of every cell, with the cell's number.
-fn states(study: &Study) -> impl Iterator<Item = (usize, &LimitState, &StateStudy)> {
+fn states(study: &FragilityStudy) -> impl Iterator<Item = (usize, &LimitState, &StateStudy)> {
     let of = |(number, cell)| {
         let cell: &CellStudy = cell;
         study.settings.states.iter().zip(&cell.states).map(move |(state, of)| (number, state, of))
@@ -27,7 +27,9 @@ fn states(study: &Study) -> impl Iterator<Item = (usize, &LimitState, &StateStud
 }
 
 /// Every estimate of every limit state of every cell.
-fn estimates(study: &Study) -> impl Iterator<Item = (usize, &LimitState, &'static str, &Estimate)> {
+fn estimates(
+    study: &FragilityStudy,
+) -> impl Iterator<Item = (usize, &LimitState, &'static str, &Estimate)> {
     let of = |(cell, state, of)| {
         let of: &StateStudy = of;
         let named = study.settings.estimators.iter().zip(&of.estimates);
@@ -40,7 +42,7 @@ fn estimates(study: &Study) -> impl Iterator<Item = (usize, &LimitState, &'stati
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_counts(study: &Study, writer: impl Write) -> csv::Result<()> {
+pub(super) fn write_counts(study: &FragilityStudy, writer: &mut dyn Write) -> io::Result<()> {
     let mut table = GridTable::begin(&study.sweep.grid, writer, columns::names(&COUNTS))?;
     for (cell, state, of) in states(study) {
         for (level, records, failed) in &of.counts {
@@ -54,7 +56,7 @@ pub fn write_counts(study: &Study, writer: impl Write) -> csv::Result<()> {
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_fits(study: &Study, writer: impl Write) -> csv::Result<()> {
+pub(super) fn write_fits(study: &FragilityStudy, writer: &mut dyn Write) -> io::Result<()> {
     let mut table = GridTable::begin(&study.sweep.grid, writer, columns::names(&FITS))?;
     for (cell, state, name, fit) in estimates(study) {
         let theta = [fit.theta, fit.theta_low, fit.theta_high].map(known);
@@ -68,7 +70,7 @@ pub fn write_fits(study: &Study, writer: impl Write) -> csv::Result<()> {
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
+pub(super) fn write_runs(study: &FragilityStudy, writer: &mut dyn Write) -> io::Result<()> {
     let mut table = GridTable::begin(&study.sweep.grid, writer, columns::names(&RUNS))?;
     let cells = study.sweep.grid.len();
     for cell in 0..cells {
@@ -90,7 +92,7 @@ pub fn write_runs(study: &Study, writer: impl Write) -> csv::Result<()> {
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_capacities(study: &Study, writer: impl Write) -> csv::Result<()> {
+pub(super) fn write_capacities(study: &FragilityStudy, writer: &mut dyn Write) -> io::Result<()> {
     let mut table = GridTable::begin(&study.sweep.grid, writer, columns::names(&CAPACITIES))?;
     for (number, cell) in study.cells.iter().enumerate() {
         for (record, capacity) in study.records().zip(&cell.capacities) {
@@ -107,7 +109,7 @@ pub fn write_capacities(study: &Study, writer: impl Write) -> csv::Result<()> {
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_sensitivity(study: &Study, writer: impl Write) -> csv::Result<()> {
+pub(super) fn write_sensitivity(study: &FragilityStudy, writer: &mut dyn Write) -> io::Result<()> {
     let Some(unknown) = &study.settings.unknown else { return Ok(()) };
     let mut table = GridTable::begin(&study.sweep.grid, writer, columns::names(&SENSITIVITY))?;
     for (cell, state, of) in states(study) {
@@ -124,7 +126,7 @@ pub fn write_sensitivity(study: &Study, writer: impl Write) -> csv::Result<()> {
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_points(study: &Study, writer: impl Write) -> csv::Result<()> {
+pub(super) fn write_points(study: &FragilityStudy, writer: &mut dyn Write) -> io::Result<()> {
     let Some(unknown) = &study.settings.unknown else { return Ok(()) };
     let drawn = unknown.varied.iter().map(|varied| format!("drawn_{}", varied.parameter.key()));
     let drawn: Vec<String> = drawn.collect();
@@ -147,7 +149,7 @@ pub fn write_points(study: &Study, writer: impl Write) -> csv::Result<()> {
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_rates(study: &Study, target: Option<f64>, writer: impl Write) -> csv::Result<()> {
+pub(super) fn write_rates(study: &FragilityStudy, writer: &mut dyn Write) -> io::Result<()> {
     let mut table = GridTable::begin(&study.sweep.grid, writer, columns::names(&RATES))?;
     for (cell, state, of) in states(study) {
         for (estimator, fit) in study.settings.estimators.iter().zip(&of.estimates) {
@@ -158,7 +160,8 @@ pub fn write_rates(study: &Study, target: Option<f64>, writer: impl Write) -> cs
                 by(|rate| rate.rate.map(in_50_years)),
                 by(|rate| Some(rate.missing_above)),
             ];
-            let below = rate.zip(target).and_then(|(rate, target)| rate.is_below(target));
+            let below =
+                rate.zip(study.settings.target).and_then(|(rate, target)| rate.is_below(target));
             let data = [
                 by(|rate| Some(rate.missing_below)),
                 by(|rate| rate.low),

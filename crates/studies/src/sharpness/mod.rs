@@ -14,7 +14,7 @@ mod figures;
 use std::io;
 use std::ops::Range;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use topple::results::outcomes::Outcomes;
 use topple::scene::Grid;
@@ -33,7 +33,7 @@ const BOX: usize = 5;
 const FARTHEST: (usize, usize) = (8, 32);
 
 /// A value, with an interval of 95 %.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Estimate {
     /// The value.
     pub value: f64,
@@ -44,7 +44,7 @@ pub struct Estimate {
 }
 
 /// How sharp the boundaries of a map are.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Sharpness {
     /// Cells of a box along the first two axes.
     pub box_cells: [usize; 2],

@@ -2,11 +2,13 @@
 
 use std::fmt;
 
-use serde::{Serialize, Serializer};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::recordings::numbered;
 use super::{Entry, Suite};
 use topple::scene::SceneError;
+use topple::scene::shown::shown;
 
 /// What is resampled with replacement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,6 +49,14 @@ impl fmt::Display for Resample {
 impl Serialize for Resample {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
+    }
+}
+
+impl<'de> Deserialize<'de> for Resample {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Resample, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        Resample::named(&name)
+            .ok_or_else(|| Error::custom(format!("{} is not known", shown(&name))))
     }
 }
 

@@ -1,11 +1,12 @@
 //! What the reference says of cells of a suite's sweep.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use topple::sweep::verification::{Region, Verification};
 
 /// Cells that the reference ran again.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Verified {
     /// How many.
     pub sampled: u32,

@@ -3,9 +3,11 @@
 use std::cmp::Reverse;
 use std::fmt;
 
-use serde::{Serialize, Serializer};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{CellEnvelope, Envelope};
+use topple::scene::shown::shown;
 
 /// What makes a feasible cell better than another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -59,6 +61,13 @@ impl fmt::Display for Best {
 impl Serialize for Best {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
+    }
+}
+
+impl<'de> Deserialize<'de> for Best {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Best, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        Best::named(&name).ok_or_else(|| Error::custom(format!("{} is not known", shown(&name))))
     }
 }
 

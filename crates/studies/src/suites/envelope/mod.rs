@@ -6,19 +6,22 @@ mod reserve;
 mod table;
 
 pub use best::Best;
-pub use request::{EnvelopeJob, EnvelopeRequest};
-pub use table::{COLUMNS, ZETA_COLUMNS, write, write_zeta};
+pub use request::EnvelopeRequest;
+pub use table::{COLUMNS, ZETA_COLUMNS};
 
+use super::Falling;
 use super::resample::Groups;
 use super::shown::is_beyond;
 use super::swept::SuiteSweep;
 use super::swept_motion::{SweptMotion, Values};
 use crate::statistics::{Bootstrap, DrawnGroups, quantile};
+use crate::study::Study;
 use crate::uncertain::Varied;
 use topple::results::columns::Column;
 use topple::scene::Scene;
 use topple::scene::record::rounded;
 use topple::stepping::outcome::Class;
+use topple::work::observer::Observer;
 
 /// The limits that a base must keep.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,6 +82,8 @@ pub struct EnvelopeSettings {
     pub intervals: Option<(Groups, Bootstrap)>,
     /// Columns of a map whose percentiles are told, too: those that the sweep was asked for besides.
     pub columns: Vec<Column>,
+    /// The motions that accelerate the ground downwards by more than g; none where none does, or where it was not asked for.
+    pub falling: Option<Falling>,
 }
 
 impl EnvelopeSettings {
@@ -86,7 +91,7 @@ impl EnvelopeSettings {
     pub fn of(limits: Limits) -> EnvelopeSettings {
         let (varied, columns) = (Vec::new(), Vec::new());
         let best = Best::default();
-        EnvelopeSettings { limits, best, times: 1, varied, intervals: None, columns }
+        EnvelopeSettings { limits, best, times: 1, varied, intervals: None, columns, falling: None }
     }
 }
 
@@ -189,6 +194,18 @@ impl Envelope {
             records.map(|motions| (motions[0].id.as_str(), share(motions))).collect();
         worst.sort_by(|a, b| b.1.total_cmp(&a.1));
         worst
+    }
+}
+
+impl Study for Envelope {
+    type Settings = EnvelopeSettings;
+
+    fn of(sweep: SuiteSweep, settings: EnvelopeSettings, _: &dyn Observer) -> Option<Envelope> {
+        Some(Envelope::of(sweep, settings))
+    }
+
+    fn sweep(&mut self) -> &mut SuiteSweep {
+        &mut self.sweep
     }
 }
 

@@ -1,24 +1,22 @@
 //! What is asked of an envelope.
 
-use super::{Best, Envelope, EnvelopeSettings, Limits};
+use super::{Best, Envelope, EnvelopeSettings, Limits, table};
 use crate::statistics::Bootstrap;
-use crate::suites::Suite;
+use crate::study::{StudyError, StudyJob, StudyRequest, StudyTable};
 use crate::suites::columns::check_further;
 use crate::suites::request::SuiteRequest;
 use crate::suites::resample::{Groups, Resample};
-use crate::suites::swept::SuiteJob;
 use crate::suites::wanted::WantedMotion;
+use crate::suites::{Falling, Suite};
 use crate::uncertain::{SAMPLES, Varied, check_samples, checked_points};
 use topple::results::columns::Column;
-use topple::scene::{Parameter, SceneError};
-use topple::sweep::error::SweepError;
-use topple::work::observer::Observer;
+use topple::scene::Parameter;
 
 /// A scene whose envelope under a suite is requested.
 ///
 /// ```no_run
 /// use topple::{Parameter, Range, SceneBuilder, Unwatched};
-/// use topple_studies::{EnvelopeRequest, Limits, Suite, SuiteRequest};
+/// use topple_studies::{EnvelopeRequest, Limits, StudyRequest, Suite, SuiteRequest};
 ///
 /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
 /// let suite = Suite::read("records".as_ref(), false)?;
@@ -55,14 +53,6 @@ pub struct EnvelopeRequest {
     pub seed: u32,
 }
 
-/// An envelope that is ready to run.
-pub struct EnvelopeJob {
-    /// The sweeps.
-    pub sweep: SuiteJob,
-    /// What is computed for them.
-    pub settings: EnvelopeSettings,
-}
-
 impl EnvelopeRequest {
     /// The envelope of a scene in which all is known.
     pub fn new(suite: SuiteRequest, limits: Limits) -> EnvelopeRequest {
@@ -77,23 +67,19 @@ impl EnvelopeRequest {
             seed: 1,
         }
     }
+}
 
-    /// Checks what can be checked before a suite is read.
-    ///
-    /// # Errors
-    /// The first key at fault, with what to do.
-    pub fn check(&self) -> Result<(), SceneError> {
+impl StudyRequest for EnvelopeRequest {
+    type Study = Envelope;
+
+    fn check(&self) -> Result<(), StudyError> {
         check_samples(self.samples)?;
         check_further(&self.columns)?;
         self.suite.check()?;
-        self.suite.check_envelope(&self.limits)
+        Ok(self.suite.check_envelope(&self.limits)?)
     }
 
-    /// Makes it ready to run under a suite.
-    ///
-    /// # Errors
-    /// Those of [`check`](EnvelopeRequest::check), numbers that make no sense, a backend that cannot be had.
-    pub fn open(&self, suite: &Suite) -> Result<EnvelopeJob, SweepError> {
+    fn open(&self, suite: &Suite) -> Result<StudyJob<Envelope>, StudyError> {
         self.check()?;
         let mut motions = self.suite.motions(suite)?;
         let directions = if self.suite.both_directions { 2 } else { 1 };
@@ -115,17 +101,16 @@ impl EnvelopeRequest {
         let intervals = Some((groups, bootstrap));
         let columns = self.columns.clone();
         let (limits, best, varied) = (self.limits, self.best, self.vary.clone());
-        let settings = EnvelopeSettings { limits, best, times, varied, intervals, columns };
-        Ok(EnvelopeJob { sweep, settings })
+        // Numbers that are not known change no motion.
+        let down = sweep.downward().into_iter().step_by(times).flatten();
+        let falling = Falling::of(down.map(|down| (1.0, down)));
+        let settings =
+            EnvelopeSettings { limits, best, times, varied, intervals, columns, falling };
+        let scenes = vec![sweep.scene.clone()];
+        Ok(StudyJob { sweep, settings, times, scenes })
     }
-}
 
-impl EnvelopeJob {
-    /// Runs the sweeps and reduces them.
-    ///
-    /// # Errors
-    /// Those of [`SuiteJob::run`].
-    pub fn run(self, observer: &dyn Observer) -> Result<Envelope, SweepError> {
-        Ok(Envelope::of(self.sweep.run(observer)?, self.settings))
+    fn tables(&self) -> Vec<StudyTable<Envelope>> {
+        vec![("envelope.csv", table::write), ("zeta.csv", table::write_zeta)]
     }
 }

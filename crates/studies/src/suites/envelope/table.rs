@@ -49,7 +49,7 @@ pub const ZETA_COLUMNS: [TableColumn; 3] = [
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
+pub(super) fn write(envelope: &Envelope, writer: &mut dyn Write) -> io::Result<()> {
     let further = columns::further_names(&envelope.settings.columns);
     let names = columns::names(&COLUMNS).map(String::from).chain(further);
     let mut table = GridTable::begin(&envelope.sweep.grid, writer, names)?;
@@ -63,18 +63,18 @@ pub fn write(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
         let own = (records, shares, u, v, feasible, cell.reserve, within);
         table.row(index, (own, further))?;
     }
-    Ok(table.end()?)
+    table.end()
 }
 
 /// Writes zeta.csv: the axes, and percentiles of the rocking index over the motions under which the block stands.
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_zeta(envelope: &Envelope, writer: impl Write) -> io::Result<()> {
+pub(super) fn write_zeta(envelope: &Envelope, writer: &mut dyn Write) -> io::Result<()> {
     let names = columns::names(&ZETA_COLUMNS);
     let mut table = GridTable::begin(&envelope.sweep.grid, writer, names)?;
     for (index, cell) in envelope.cells.iter().enumerate() {
         table.row(index, cell.zeta.map(known))?;
     }
-    Ok(table.end()?)
+    table.end()
 }
