@@ -21,9 +21,8 @@ fn small_map(more: &str) -> (Room, String) {
 
 #[test]
 fn a_map_leaves_the_files_of_the_contract() {
-    let (room, said) = small_map("");
+    let (room, _) = small_map("");
     assert_eq!(room.names("out"), FILES);
-    assert!(said.contains("map.png"), "{said}");
     assert_eq!(
         room.heading("out/map.csv"),
         "omega,a_h,outcome,impacts,uplifts,t_end,t_uplift,zeta,max_phi_left,max_phi_right,max_u,\
@@ -53,7 +52,6 @@ fn a_map_leaves_the_files_of_the_contract() {
     for phase in ["start", "estimate", "sweep", "counting", "drawing", "writing", "verification"] {
         assert!(json["timings"][phase].is_f64(), "{phase}: {}", json["timings"]);
     }
-    assert!(said.contains("every outcome of the sample is right"), "{said}");
     assert!(json["cells_per_second"].as_f64().unwrap() > 0.0);
     assert!(room.bytes("out/map.png").starts_with(b"\x89PNG"));
 }
@@ -121,19 +119,14 @@ fn a_directory_tells_one_story() {
 /// run.json says which model was run, and how much of it.
 #[test]
 fn the_manifest_tells_the_model() {
-    let of = |more: &str| {
-        let (room, said) = small_map(more);
-        (room.json("out")["model"].clone(), said)
-    };
-    let (model, said) = of("");
+    let of = |more: &str| small_map(more).0.json("out")["model"].clone();
+    let model = of("");
     assert_eq!(model["state"], serde_json::json!(["u", "v", "z", "phi"]));
     assert_eq!(model["reductions"]["certificate"], true);
-    assert!(said.contains("model      u z v φ"), "{said}");
-    let (model, said) = of("--full-model --psi 1");
+    let model = of("--full-model --psi 1");
     assert_eq!(model["reductions"]["certificate"], false);
     assert_eq!(model["reductions"]["full_contact"], false);
-    assert!(said.contains("nothing left out"), "{said}");
-    let (model, _) = of("--psi 1");
+    let model = of("--psi 1");
     assert_eq!(model["state"], serde_json::json!(["u", "v", "phi"]));
     assert!(model["proved_cells"].as_u64().unwrap() > 0);
     assert!(model["mean_time"].as_f64().unwrap() < 5.0);
@@ -514,8 +507,6 @@ fn what_is_printed_is_chosen() {
     let told: serde_json::Value = serde_json::from_slice(&told.stdout).unwrap();
     assert_eq!(told, room.json("out"));
     assert_eq!(told["threads"], 1);
-    let (_, said) = small_map("-v");
-    assert!(said.lines().any(|line| line.starts_with("time       start ")), "{said}");
     for quiet in ["-q", "--quiet"] {
         assert_eq!(small_map(quiet).1, "");
     }

@@ -23,8 +23,7 @@ fn counts_are_those_of_maps() {
     // Out of order on purpose.
     let levels = [3.0, 1.5, 6.0, 12.0];
     let asked = "--levels 3,1.5,6,12 --limit-zeta 0.3 --limit-u 0.4";
-    let said = room.run(&format!("{FRAGILITY} {BASE} {GRID} {asked}"));
-    said.has("4 motions").has("3 x 2 cells under 4 motions at 4 levels").has("theta from");
+    room.run(&format!("{FRAGILITY} {BASE} {GRID} {asked}")).has("theta from");
     let counts = room.rows("out/fragility.csv");
     let columns = ["limit_state", "level", "records", "failed"];
     assert!(columns.iter().all(|column| counts[0].contains_key(*column)), "{:?}", counts[0]);

@@ -66,8 +66,7 @@ fn an_envelope_is_made_of_maps() {
     let base = "--object 1 --eccentricity 0.2 --u-y 0.01 --t-h 0.8:3:22 --t-v 0.3:1:22";
     let base = format!("{base} --precision f64 --backend cpu --verify none");
     let limits = "--limit-u 0.65 --limit-v 0.1 --standing 0.75";
-    let said = room.run(&format!("envelope --suite ./list.csv {base} {limits} --out ./envelope"));
-    said.has("3 motions").has("484 cells").has("cells under 3 motions").has("governed");
+    room.run(&format!("envelope --suite ./list.csv {base} {limits} --out ./envelope"));
     let envelope = room.rows("envelope/envelope.csv");
     assert!(room.has("envelope/envelope.png"));
     let maps: [Vec<Row>; 3] = strong.map(|(name, ..)| {

@@ -1,6 +1,48 @@
 //! What the command says: messages that name what is wrong and what to do, help, completions, the manual, colours.
 
+use crate::common::golden::is_printed;
 use crate::common::room::Room;
+
+/// What each command prints of a small run, warnings with it, is what stands in tests/printed.
+#[cfg(unix)] // as paths are written there
+#[test]
+fn what_commands_print() {
+    let room = Room::suite();
+    room.write(
+        "devices.csv",
+        "device,t_h,t_v,isolation,u_y\nsoft,2,0.5,,0.01\nflat,1,,horizontal,0.01\nfloor,,,none,\n",
+    );
+    room.write("site.csv", "PGA [m/s2],rate\n0.5,0.05\n4,0.0012\n30,1e-6\n");
+    let pulse = "pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --t-max 5 --omega 3:12:7 --a-h 1:12:9";
+    let base =
+        "--object 1 --eccentricity 0.2 --u-y 0.01 --t-h 0.8:3:3 --t-v 0.3:1:2 --suite ./list.csv";
+    let cell = "--object 1 --u-y 0.01 --t-h 1.5 --t-v 0.5 --suite ./list.csv";
+    let site = "--levels 1:16:8:log --hazard ./site.csv";
+    for (name, line) in [
+        ("pulse", format!("{pulse} --friction 0.15 -v")),
+        ("reduced", format!("{pulse} --full-model --psi 1 --verify none")),
+        ("refined", format!("{pulse} --refine 2 --verify none")),
+        ("vary", format!("{pulse} --vary psi=uniform(0.2,0.3) --samples 4 --verify none")),
+        ("seismic", "seismic --object 1 --t-h 0.5:4:6 --t-v 0.02:2:6".into()),
+        ("history", "history --object 1 --t-h 1.75 --t-v 0.75 --omega 9 --a-h 8.4".into()),
+        ("suite", "suite ./list.csv".into()),
+        ("envelope", format!("envelope {base} --limit-u 0.4")),
+        (
+            "fragility",
+            format!("fragility {cell} {site} --target 1e-4 --limit-u 0.4 --bootstrap 39"),
+        ),
+        (
+            "compare",
+            format!("compare ./devices.csv --object 1 --suite ./list.csv {site} --scales 0.5,2"),
+        ),
+    ] {
+        let backend = if matches!(name, "history" | "suite") { "" } else { "--backend cpu" };
+        let said = room.run(&format!("{line} {backend} --out ./{name}"));
+        is_printed(name, &(said.out + &said.err));
+    }
+    let said = room.run("report ./pulse ./envelope --out ./report.html");
+    is_printed("report", &said.out);
+}
 
 #[test]
 fn flags_are_named_where_flags_were_typed() {

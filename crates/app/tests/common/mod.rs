@@ -10,6 +10,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 pub mod command;
+pub mod golden;
 pub mod room;
 pub mod suite;
 
