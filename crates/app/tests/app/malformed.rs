@@ -4,50 +4,13 @@ use std::cell::Cell;
 use std::time::{Duration, Instant};
 
 use crate::common::command::run;
+use crate::common::values::{self, numbers};
 use proptest::prelude::*;
 use proptest::sample::select;
 use proptest::test_runner::{Config, TestRunner};
 use tempfile::TempDir;
 
 const ARGUMENT_LISTS: u32 = 1_000;
-
-/// Numbers, and what only looks like one.
-const NUMBERS: [&str; 30] = [
-    "1",
-    "0.2",
-    "1.75",
-    "0.75",
-    "3",
-    "10",
-    "0",
-    "-1",
-    "-0.3",
-    "0.999999",
-    "1e-300",
-    "1e300",
-    "-0.0",
-    "nan",
-    "inf",
-    "-inf",
-    "1e999",
-    "4294967296",
-    "0x10",
-    "",
-    " ",
-    "1,5",
-    "1:2:3",
-    "2:1:2",
-    "1:2:0",
-    "1:1:2",
-    ":::",
-    "1:inf:2",
-    "0:5:2",
-    "\u{3c0}",
-];
-
-/// Words that some key takes.
-const WORDS: [&str; 6] =
-    ["none", "dual", "horizontal", "quarter-turn", "critical-angle", "/dev/null"];
 
 /// Flags of the maps, and what takes none or any.
 const FLAGS: &str = "--object --half-width --height --mass --inertia --plate-h --plate-v --eccentricity --isolation --t-h \
@@ -78,7 +41,7 @@ fn arguments() -> impl Strategy<Value = Vec<String>> {
         ("--t-max", "1"),
         ("--backend", "cpu"),
     ];
-    let value = prop_oneof![select(&NUMBERS[..]), select(&WORDS[..]), select(&OTHERS[..])];
+    let value = prop_oneof![select(numbers()), select(values::words()), select(&OTHERS[..])];
     let changes =
         prop::collection::vec((select(words(FLAGS)), prop::option::weighted(0.9, value)), 0..4);
     let switches = prop::collection::vec(select(words(SWITCHES)), 0..2);
