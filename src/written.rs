@@ -21,8 +21,9 @@ pub trait Written: Copy + 'static {
     }
 }
 
-/// Defines an enum that is [`Written`]: each variant with its word, and with further words that are only read. Serde uses the same
+/// Defines an enum that is [`Written`](crate::Written): each variant with its word, and with further words that are only read. Serde uses the same
 /// words, and the doc comment of a variant is its help.
+#[macro_export]
 macro_rules! written {
     (
         $(#[$attribute:meta])*
@@ -35,7 +36,7 @@ macro_rules! written {
             $($(#[doc = $help])+ #[serde(rename = $key $(, alias = $alias)*)] $variant,)+
         }
 
-        impl $crate::written::Written for $name {
+        impl $crate::Written for $name {
             const ALL: &'static [$name] = &[$($name::$variant),+];
 
             fn key(self) -> &'static str {

@@ -216,17 +216,17 @@ fn leaves(
     refined: &RefinedMap,
     sharpness: &Option<Sharpness>,
 ) -> Result<Arrays, SweepError> {
-    refined.listed(|listed| {
-        let (count, source) = (listed.cells.len(), refined.source());
+    refined.listed(|listed, outcomes| {
+        let (count, source) = (listed.count(), refined.source());
         let mut block = Block::pending(count, source.precision);
-        block.put(0, &listed.outcomes.read(0..count, &Column::ALL)?);
+        block.put(0, &outcomes.read(0..count, &Column::ALL)?);
         let mut about = about(map, listed.about(source), &refined.grid);
         about.insert("refined".into(), json!(refined.report));
         about.insert("sharpness".into(), json!(sharpness));
-        let cells = listed.cells.iter().map(|cell| *cell as u64).collect();
+        let cells = (0..count).map(|leaf| listed.cell(leaf) as u64).collect();
         Ok(Arrays {
             columns: Some(block.into_columns(source.columns)),
-            leaves: Some((cells, listed.counts.to_vec())),
+            leaves: Some((cells, listed.counts().to_vec())),
             about: Value::Object(about).to_string(),
         })
     })

@@ -8,7 +8,7 @@ use super::boxes::Square;
 use super::probes::own_cells;
 use super::refined::RefinedMap;
 use crate::results::columns::Column;
-use crate::results::listed::{self, CountColumn, ListedCells};
+use crate::results::listed::{self, CellList, CountColumn, FileCells};
 use crate::results::outcomes::Outcomes;
 use crate::stepping::outcome::Outcome;
 use crate::work::parallel;
@@ -140,7 +140,7 @@ impl RefinedMap {
     }
 
     /// Hands the leaves over as a list of cells, with the level, the width and the height of each.
-    pub fn listed<T>(&self, see: impl FnOnce(&ListedCells) -> T) -> T {
+    pub fn listed<T>(&self, see: impl FnOnce(FileCells, &dyn Outcomes) -> T) -> T {
         let leaves = self.leaves();
         let columns = self.report.shape.0;
         let cells: Vec<usize> =
@@ -179,7 +179,7 @@ impl RefinedMap {
             ),
         ];
         let outcomes = LeafOutcomes { map: self, leaves: &leaves };
-        let (grid, index) = (&self.grid, "leaf");
-        see(&ListedCells { grid, cells: &cells, counts: &counts, outcomes: &outcomes, index })
+        let list = CellList { cells: &cells, counts: &counts, index: "leaf" };
+        see(FileCells { grid: &self.grid, list: Some(list) }, &outcomes)
     }
 }

@@ -54,7 +54,7 @@ impl Refiner<'_> {
     pub(super) fn begin(&mut self, map: &MapSweep) -> Result<(), SweepError> {
         let (side, width) = (self.boxes.side(0), self.boxes.shape().0);
         let columns = map.grid.x().count();
-        each_block(&map.grid, &*map.outcomes, &Column::ALL, |first, outcomes| {
+        each_block(map.grid.len(), &*map.outcomes, &Column::ALL, |first, outcomes| {
             let place = |cell: usize| cell / columns * side * width + cell % columns * side;
             let cells: Vec<usize> = (first..first + outcomes.len()).map(place).collect();
             for (cell, outcome) in cells.iter().zip(outcomes) {

@@ -10,11 +10,11 @@ use flate2::bufread::GzDecoder;
 use flate2::{Compression, GzBuilder};
 
 use super::block::{Block, PENDING};
-use super::columns::{Column, status_code};
+use super::columns::{Column, Entry, status_code};
 use super::values::{ColumnValues, ValueType};
 use super::zarr::{LEVEL, PROVED};
 use crate::model::precision::Precision;
-use crate::stepping::outcome::Status;
+use crate::stepping::outcome::{Outcome, Status};
 
 /// Largest file of a chunk that is read, bytes: twice the most that a chunk's numbers take.
 pub const LARGEST: u64 = 16 << 20;
@@ -118,17 +118,31 @@ pub fn unpack(packed: &[u8], count: usize) -> Option<Vec<u8>> {
     exact.then_some(bytes)
 }
 
-/// The bytes of values in an array of their column.
-pub(super) fn in_array(array: &str, column: Column, values: &ColumnValues) -> Vec<u8> {
+/// The values of an array, from those of its column in memory.
+fn in_array(array: &str, column: Column, values: ColumnValues) -> ColumnValues {
     let filed = |code: u8| {
         Status::ALL.get(usize::from(code)).map_or(PENDING, |status| status_code(*status))
     };
-    let codes = values.codes().iter();
+    let codes = |of: &dyn Fn(u8) -> u8| values.codes().iter().map(|code| of(*code)).collect();
     match (array, column) {
-        (PROVED, _) => codes.map(|code| u8::from(*code == Status::Proved as u8)).collect(),
-        (_, Column::Status) => codes.map(|code| filed(*code)).collect(),
-        _ => values.to_bytes(),
+        (PROVED, _) => ColumnValues::Codes(codes(&|code| u8::from(code == Status::Proved as u8))),
+        (_, Column::Status) => ColumnValues::Codes(codes(&filed)),
+        _ => values,
     }
+}
+
+/// The values of outcomes in an array of a column: codes are those of files.
+pub fn of_outcomes(
+    array: &str,
+    entry: &Entry,
+    outcomes: &[Outcome],
+    precision: Precision,
+) -> ColumnValues {
+    let places: Vec<usize> = (0..outcomes.len()).collect();
+    let of = ValueType::of(entry.kind, precision);
+    let mut values = ColumnValues::all(0.0, of, outcomes.len());
+    (entry.put)(&mut values.slots(0..outcomes.len()), &places, outcomes);
+    in_array(array, entry.column, values)
 }
 
 /// The code of a status in memory, from its code in a file and whether its cell ended early; none of a code of nothing.
@@ -145,7 +159,7 @@ fn held_code(code: u8, proved: u8) -> Option<u8> {
 pub fn encode(array: &str, column: Column, block: &Block, cells: usize) -> Vec<u8> {
     let filler = if array == PROVED { 0.0 } else { column.entry().kind.filler() };
     let of = value_type(array, column, block.precision());
-    let mut bytes = in_array(array, column, block.values(column));
+    let mut bytes = in_array(array, column, block.values(column).clone()).to_bytes();
     bytes.extend(ColumnValues::all(filler, of, cells - block.len()).to_bytes());
     bytes
 }

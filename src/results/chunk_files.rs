@@ -2,6 +2,7 @@
 //! one by one.
 
 use std::io::{self, ErrorKind, Write};
+use std::ops::Range;
 use std::path::PathBuf;
 
 use super::block::Block;
@@ -10,7 +11,6 @@ use super::chunking::Chunking;
 use super::column_set::ColumnSet;
 use super::columns::Column;
 use super::files::{Directory, WriteError};
-use super::saved_chunks::SavedChunk;
 use super::store_error::StoreError;
 use super::values::ColumnValues;
 use super::zarr::{self, PROVED};
@@ -31,6 +31,15 @@ pub struct ChunkFiles {
     pub columns: ColumnSet,
     /// The number type of its columns.
     pub precision: Precision,
+}
+
+/// A chunk of which cells were saved.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SavedChunk {
+    /// Its number.
+    pub chunk: usize,
+    /// The runs of cells that have run.
+    pub done: Vec<Range<usize>>,
 }
 
 /// A chunk that was found: the cells of it that have run; or of one that is broken the files that must go, each
@@ -151,7 +160,7 @@ impl ChunkFiles {
             match self.column(chunk, Column::Status) {
                 Ok(codes) => {
                     let first = self.chunking.cells(chunk).start;
-                    let at = |run: std::ops::Range<usize>| first + run.start..first + run.end;
+                    let at = |run: Range<usize>| first + run.start..first + run.end;
                     let done = codes.done().into_iter().map(at).collect();
                     return Ok(Some(Ok(SavedChunk { chunk, done })));
                 }

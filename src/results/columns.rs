@@ -1,5 +1,5 @@
 //! The columns of a map, each defined once. The columns in memory and on disk, map.csv, map.npz, map.zarr and
-//! docs/columns.md are all made from this table.
+//! the table of docs/columns.md are all made from this table.
 
 use super::cell_value::CellValue;
 pub use super::cell_value::{ColumnKind, STATUS_NAMES, Shown, class_code, status_code};
@@ -149,69 +149,9 @@ impl Column {
     }
 }
 
-const HEAD: &str = "# Columns
-
-Generated from the table in `src/results/columns.rs`; `TOPPLE_WRITE_DOCS=1 cargo test --test app parameters::` writes this page again.
-
-`map.csv` has one row per cell: its place along each axis (columns named by the axes' keys, [parameters.md](parameters.md)), then
-the columns below in this order, except for `t_simulated`. `map.npz` holds each as an array with an index for each axis, the
-first axis last: (A_h, Ω) for a map over (Ω, A_h). Names are codes there. Numbers are f32 where the sweep was (`--precision`),
-axes f64. The array `proved` is true for a cell that ended early because an energy bound shows that its results can no longer
-change; the impacts of a block that stays up are counted up to that time, or up to an earlier rest ([shortcuts.md](shortcuts.md)). `about` is a text in JSON: units, meanings, the
-names of the codes, the scene, the version. `--columns` asks for some columns only ([map.md](map.md#files)); then tables and map.npz have no other columns.
-
-```python
-import json, numpy
-z = numpy.load(\"map.npz\")
-about = json.loads(str(z[\"about\"]))
-left = z[\"outcome\"] == about[\"outcome\"].index(\"overturned_left\")
-```
-
-| column | unit | type | meaning |
-|---|---|---|---|
-";
-
-const TAIL: &str = "
-## Flights that are left out
-
-A sweep puts a landing block to rest if its next flight would last less than 1/32 of a step, at most a quarter of a millisecond, with `--full-model`, too.
-ζ, angles and displacements do not depend on such a flight. Contact forces can: if C is not above the middle of the block, the normal force and the friction in a flight about one corner
-differ from those in a flight about the other corner, however short the flight is. In 4 of 64 cells of a block on the ground under a strong record (ε from
--0.6 to 0.6) `min_contact` of the sweep was larger than that of the reference, which follows these flights: 9.52 and 9.17 m/s² in place of 7.22 and 7.37 in
-two cells, 7.44 and 7.28 in place of 7.23 and 7.21 in two others. In the first two `friction_demand` was 0.21 and 0.29 in place of 0.39 and 0.32. With a
-smaller `--step` shorter flights count.
-
-`impacts` and `uplifts` count what happens: the impacts of the flights that are left out are not counted, and a block that rests instead of flying on
-counts one uplift more when it lifts again. The `t_uplift` of a block that starts tilted is the time when it lifts for the first time after it has come to
-rest. If the ground shakes while such a block is in its last flights, this time can be another one than that of the reference, or the block has none. In 800
-cells of a block on the ground under a strong record, in half of which it starts tilted, `impacts` was smaller than that of the reference in 616 cells (45 in
-place of 73, for example), `uplifts` was larger by one in 4 cells, and `t_uplift` differed in none.
-
-## map.zarr
-
-`--files zarr` writes the same arrays as a Zarr group, version 3, in chunks of 65,536 to 1,048,576 cells; a map of more than
-16.7 million cells is written only in this form (`--files csv,npz` writes map.csv and map.npz, too). xarray and dask open it without the package:
-
-```python
-import xarray
-ds = xarray.open_zarr(\"map.zarr\")
-ds.zeta.sel(omega=9.0, method=\"nearest\").max().compute()
-ds.outcome.attrs[\"flag_meanings\"], ds.zeta.attrs[\"long_name\"], ds.attrs[\"scene\"]
-```
-
-Each array has its axes as dimensions, with `units`, `long_name` and, of codes, `flag_values` and `flag_meanings` (CF
-conventions); the group has what `about` has in map.npz, of which objects and lists are texts in JSON, so that
-`ds.to_netcdf(\"map.nc\")` writes it as NetCDF, too. Codecs are `bytes` (little-endian), `gzip` (level 1) and `crc32c`, all
-of the core specification. The same group is what an unfinished run saves its chunks in ([interrupted.md](interrupted.md)):
-there `status` is 255 for a cell that has not run. `leaves.zarr` of a [refined map](refined.md) is such a group over the dimension `leaf`.
-
-`python benches/files/open.py DIR` opens map.zarr by xarray, map.npz by numpy, and compares them.
-";
-
-/// The page docs/columns.md.
-pub fn page() -> String {
-    let mut page = String::from(HEAD);
-    for entry in &TABLE {
+/// The rows of the table in docs/columns.md.
+pub fn rows() -> String {
+    let row = |entry: &Entry| {
         let kind = match entry.kind {
             ColumnKind::Class | ColumnKind::Status => "code, u8",
             ColumnKind::Count => "u32",
@@ -219,8 +159,7 @@ pub fn page() -> String {
         };
         let unit = if entry.unit.is_empty() { "–" } else { entry.unit };
         let meaning = entry.meaning.replace('|', "\\|");
-        page.push_str(&format!("| `{}` | {unit} | {kind} | {meaning} |\n", entry.name));
-    }
-    page.push_str(TAIL);
-    page
+        format!("| `{}` | {unit} | {kind} | {meaning} |\n", entry.name)
+    };
+    TABLE.iter().map(row).collect()
 }

@@ -6,9 +6,8 @@ use serde::{Serialize, Serializer};
 
 use super::column_set::ColumnSet;
 use super::columns::{Column, Entry, Shown};
-use super::listed::ListedCells;
-use super::outcomes::{Outcomes, each_block, each_block_of};
-use crate::scene::Grid;
+use super::listed::FileCells;
+use super::outcomes::{Outcomes, each_block};
 use crate::scene::grid::Axis;
 use crate::stepping::outcome::Outcome;
 use crate::work::parallel;
@@ -29,58 +28,33 @@ impl Serialize for Number {
 /// Rows that a thread makes at once: some 500 kB of text, made in some milliseconds.
 const ROWS: usize = 1 << 12;
 
-/// Writes a table of some columns, its rows made on all cores.
+/// Writes a table of some columns, its rows made on all cores; the counts of a list follow the axes.
 ///
 /// # Errors
 /// Those of the writer, and of reading the outcomes.
-pub fn write(
-    grid: &Grid,
+pub fn write<'a>(
+    cells: impl Into<FileCells<'a>>,
     outcomes: &dyn Outcomes,
     columns: ColumnSet,
     mut writer: impl Write,
 ) -> Result<(), csv::Error> {
+    let cells: FileCells = cells.into();
     let mut head = csv::Writer::from_writer(&mut writer);
-    let names = columns.of_table().map(|entry| entry.name);
-    head.write_record(grid.axes().iter().map(Axis::key).chain(names))?;
+    let axes = cells.grid.axes().iter().map(Axis::key);
+    let names = axes.chain(cells.counts().iter().map(|count| count.name));
+    head.write_record(names.chain(columns.of_table().map(|entry| entry.name)))?;
     head.flush()?;
     drop(head);
     let read: Vec<Column> = columns.columns().collect();
-    each_block(grid, outcomes, &read, |first, block| {
+    each_block(cells.count(), outcomes, &read, |first, block| {
         let parts: Vec<_> = block.chunks(ROWS).collect();
-        let part = |k: usize| rows(grid, columns, first + k * ROWS, parts[k]);
+        let part = |k: usize| rows(cells, columns, first + k * ROWS, parts[k]);
         for rows in parallel::each(parts.len(), 1, part) {
             writer.write_all(&rows?)?;
         }
         Ok(())
     })?;
     writer.flush()?;
-    Ok(())
-}
-
-/// Writes the table of some cells, with their counts after the axes.
-///
-/// # Errors
-/// Those of [`write()`].
-pub fn write_list(
-    listed: &ListedCells,
-    columns: ColumnSet,
-    writer: impl Write,
-) -> Result<(), csv::Error> {
-    let ListedCells { grid, cells, counts, outcomes, .. } = *listed;
-    let mut table = csv::Writer::from_writer(writer);
-    let names = grid.axes().iter().map(Axis::key).chain(counts.iter().map(|count| count.name));
-    table.write_record(names.chain(columns.of_table().map(|entry| entry.name)))?;
-    let read: Vec<Column> = columns.columns().collect();
-    each_block_of(cells.len(), outcomes, &read, |first, block| {
-        for (number, cell) in (first..).zip(block) {
-            let at = grid.coordinates(cells[number]).map(|value| Field::Number(Number(value)));
-            let counts = counts.iter().map(|count| Field::Count(count.values[number]));
-            let fields = columns.of_table().map(|entry| Field::of(entry, cell));
-            table.serialize(at.chain(counts).chain(fields).collect::<Vec<Field>>())?;
-        }
-        Ok(())
-    })?;
-    table.flush()?;
     Ok(())
 }
 
@@ -106,28 +80,31 @@ impl Field {
     }
 }
 
-/// Columns of a cell with its place in the grid.
-struct Row<'a>(&'a Grid, ColumnSet, usize, &'a Outcome);
+/// Columns of a cell with its place in the grid and its counts.
+struct Row<'a>(FileCells<'a>, ColumnSet, usize, &'a Outcome);
 
 impl Serialize for Row<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Row(grid, columns, index, cell) = *self;
-        let at = grid.coordinates(index).map(|value| Field::Number(Number(value)));
-        serializer.collect_seq(at.chain(columns.of_table().map(|entry| Field::of(entry, cell))))
+        let Row(cells, columns, number, cell) = *self;
+        let at = cells.grid.coordinates(cells.cell(number));
+        let at = at.map(|value| Field::Number(Number(value)));
+        let counts = cells.counts().iter().map(|count| Field::Count(count.values[number]));
+        let fields = columns.of_table().map(|entry| Field::of(entry, cell));
+        serializer.collect_seq(at.chain(counts).chain(fields))
     }
 }
 
 /// The rows of some cells.
 fn rows(
-    grid: &Grid,
+    cells: FileCells,
     columns: ColumnSet,
     first: usize,
-    cells: &[Outcome],
+    block: &[Outcome],
 ) -> Result<Vec<u8>, csv::Error> {
     let mut table =
         csv::WriterBuilder::new().has_headers(false).from_writer(Vec::with_capacity(ROWS << 7));
-    for (index, cell) in (first..).zip(cells) {
-        table.serialize(Row(grid, columns, index, cell))?;
+    for (number, cell) in (first..).zip(block) {
+        table.serialize(Row(cells, columns, number, cell))?;
     }
     table.into_inner().map_err(|error| io::Error::other(error.to_string()).into())
 }

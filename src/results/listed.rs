@@ -1,10 +1,10 @@
-//! Some of a grid's cells, in any order, with counts of their own beside the columns: as a table, and as arrays of one
-//! index.
+//! The cells of a file: those of a grid, or some of them in any order, with counts of their own beside the columns. In arrays a
+//! list has one index.
 
 use serde_json::{Map, Value, json};
 
-use super::about::Source;
-use super::outcomes::Outcomes;
+use super::about::{Source, index};
+use super::chunking::Chunking;
 use crate::scene::Grid;
 
 /// Name of the array of the cells' numbers.
@@ -29,30 +29,71 @@ pub struct CountColumn {
     pub values: Vec<u32>,
 }
 
-/// Cells of a grid, by their numbers, with their outcomes in the same order.
-pub struct ListedCells<'a> {
-    /// The grid that numbers them.
-    pub grid: &'a Grid,
-    /// Their numbers.
+/// Some cells of a grid.
+#[derive(Clone, Copy)]
+pub struct CellList<'a> {
+    /// Their numbers in the grid.
     pub cells: &'a [usize],
     /// Counts of their own.
     pub counts: &'a [CountColumn],
-    /// Their outcomes: number k is that of the k-th of them.
-    pub outcomes: &'a dyn Outcomes,
     /// What one of them is: the index of their arrays.
     pub index: &'static str,
 }
 
-impl ListedCells<'_> {
-    /// What their arrays are, as [`Source::about`] tells it of a grid's, and under `counts` what is beside the columns.
+/// The cells of a file: all of a grid in its order, or a list.
+#[derive(Clone, Copy)]
+pub struct FileCells<'a> {
+    /// The grid that numbers them.
+    pub grid: &'a Grid,
+    /// The list.
+    pub list: Option<CellList<'a>>,
+}
+
+impl<'a> From<&'a Grid> for FileCells<'a> {
+    fn from(grid: &'a Grid) -> FileCells<'a> {
+        FileCells { grid, list: None }
+    }
+}
+
+impl<'a> FileCells<'a> {
+    /// The number of cells.
+    pub fn count(&self) -> usize {
+        self.list.map_or(self.grid.len(), |list| list.cells.len())
+    }
+
+    /// The number in the grid of one of them.
+    pub fn cell(&self, number: usize) -> usize {
+        self.list.map_or(number, |list| list.cells[number])
+    }
+
+    /// Their counts.
+    pub fn counts(&self) -> &'a [CountColumn] {
+        self.list.map_or(&[], |list| list.counts)
+    }
+
+    /// The indices of their arrays.
+    pub fn index(&self) -> Vec<&'static str> {
+        self.list.map_or_else(|| index(self.grid), |list| vec![list.index])
+    }
+
+    /// How they are cut into chunks.
+    pub fn chunking(&self) -> Chunking {
+        self.list
+            .map_or_else(|| Chunking::of(self.grid), |list| Chunking::of_list(list.cells.len()))
+    }
+
+    /// What their arrays are, as [`Source::about`] tells it, and of a list under `counts` what is beside the columns.
     pub fn about(&self, source: Source) -> Map<String, Value> {
-        let entry = |meaning: &str| json!({ "unit": "", "meaning": meaning });
-        let cells = (CELL.to_string(), entry(CELL_MEANING));
-        let own = self.counts.iter().map(|count| (count.name.to_string(), entry(count.meaning)));
-        let counts: Map<String, Value> = [cells].into_iter().chain(own).collect();
         let mut about = source.about(self.grid);
-        about.insert("index".into(), json!([self.index]));
-        about.insert("counts".into(), Value::Object(counts));
+        if self.list.is_some() {
+            let entry = |meaning: &str| json!({ "unit": "", "meaning": meaning });
+            let cells = (CELL.to_string(), entry(CELL_MEANING));
+            let own = self.counts().iter();
+            let own = own.map(|count| (count.name.to_string(), entry(count.meaning)));
+            let counts: Map<String, Value> = [cells].into_iter().chain(own).collect();
+            about.insert("index".into(), json!(self.index()));
+            about.insert("counts".into(), Value::Object(counts));
+        }
         about
     }
 }

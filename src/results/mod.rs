@@ -39,7 +39,7 @@ pub mod store;
 pub mod store_error;
 pub mod tally;
 pub mod temporary;
-pub(crate) mod values;
+pub mod values;
 #[cfg(test)]
 mod vision;
 pub mod zarr;

@@ -12,10 +12,10 @@ use zip::{ZipArchive, ZipWriter};
 use super::about::Source;
 use super::chunk;
 use super::columns::{Column, Entry};
-use super::listed::{CELL, ListedCells};
+use super::listed::{CELL, FileCells};
 use super::npy;
-use super::outcomes::{Outcomes, each_block_of};
-use super::values::{ColumnValues, ValueType, bytes_of};
+use super::outcomes::{Outcomes, each_block};
+use super::values::{ValueType, bytes_of};
 use super::zarr::PROVED;
 use crate::model::precision::Precision;
 use crate::scene::grid::Axis;
@@ -32,46 +32,33 @@ const AT_ONCE: usize = 1 << 14;
 
 /// Writes the archive, column by column, never a whole one in memory. Names are codes there, which `about`
 /// tells with units, meanings, scene and version, as JSON. `proved`, which goes with the status, is true for
-/// cells whose impacts are counted up to `t_simulated`.
+/// cells whose impacts are counted up to `t_simulated`. A list has arrays of one index, the numbers of its cells (`cell`) and
+/// their counts among them.
 ///
 /// # Errors
 /// Those of the writer, and of reading the outcomes.
-pub fn write(
-    grid: &Grid,
+pub fn write<'a>(
+    cells: impl Into<FileCells<'a>>,
     outcomes: &dyn Outcomes,
     source: Source,
     writer: impl Write + Seek,
 ) -> io::Result<()> {
-    let shape: Vec<u64> = grid.axes().iter().rev().map(|axis| axis.count() as u64).collect();
+    let cells: FileCells = cells.into();
+    let axes = cells.grid.axes().iter().rev().map(|axis| axis.count() as u64);
+    let shape = cells.list.map_or_else(|| axes.collect(), |list| vec![list.cells.len() as u64]);
     let mut archive = Archive { zip: ZipWriter::new(writer), shape, outcomes };
-    archive.all(grid, source)?;
-    archive.text(ABOUT, &Value::Object(source.about(grid)).to_string())?;
-    archive.zip.finish()?;
-    Ok(())
-}
-
-/// The same of some cells: arrays of one index, with the numbers of the cells (`cell`) and their counts.
-///
-/// # Errors
-/// Those of [`write()`].
-pub fn write_list(
-    listed: &ListedCells,
-    source: Source,
-    writer: impl Write + Seek,
-) -> io::Result<()> {
-    let shape = vec![listed.cells.len() as u64];
-    let mut archive = Archive { zip: ZipWriter::new(writer), shape, outcomes: listed.outcomes };
-    archive.all(listed.grid, source)?;
-    let cells: Vec<u64> = listed.cells.iter().map(|cell| *cell as u64).collect();
-    archive.begin(CELL, ("<u8", size_of::<u64>()), &[cells.len() as u64])?;
-    archive.zip.write_all(&bytes_of(&cells, u64::to_le_bytes))?;
-    for count in listed.counts {
+    archive.all(cells.grid, source)?;
+    if let Some(list) = cells.list {
+        let numbers = bytes_of(list.cells, |cell| (cell as u64).to_le_bytes());
+        archive.begin(CELL, ("<u8", size_of::<u64>()), &[list.cells.len() as u64])?;
+        archive.zip.write_all(&numbers)?;
+    }
+    for count in cells.counts() {
         let of = ValueType::U32;
         archive.begin(count.name, (of.in_numpy(), of.size()), &[count.values.len() as u64])?;
         archive.zip.write_all(&bytes_of(&count.values, u32::to_le_bytes))?;
     }
-    let about = listed.about(source);
-    archive.text(ABOUT, &Value::Object(about).to_string())?;
+    archive.text(ABOUT, &Value::Object(cells.about(source)).to_string())?;
     archive.zip.finish()?;
     Ok(())
 }
@@ -146,14 +133,10 @@ impl<W: Write + Seek> Archive<'_, W> {
         let numpy = if array == PROVED { "|b1" } else { of.in_numpy() };
         let shape = self.shape.clone();
         self.begin(array, (numpy, of.size()), &shape)?;
-        let bytes = |cells: &[Outcome]| {
-            let places: Vec<usize> = (0..cells.len()).collect();
-            let mut values = ColumnValues::all(0.0, of, cells.len());
-            (entry.put)(&mut values.slots(0..cells.len()), &places, cells);
-            chunk::in_array(array, entry.column, &values)
-        };
+        let bytes =
+            |cells: &[Outcome]| chunk::of_outcomes(array, entry, cells, precision).to_bytes();
         let count = shape.iter().product::<u64>() as usize;
-        each_block_of(count, self.outcomes, &[entry.column], |_, block| {
+        each_block(count, self.outcomes, &[entry.column], |_, block| {
             let parts: Vec<&[Outcome]> = block.chunks(AT_ONCE).collect();
             let parts = parallel::each(parts.len(), 1, |part| bytes(parts[part]));
             self.zip.write_all(&parts.concat())

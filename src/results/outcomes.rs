@@ -8,7 +8,6 @@ use std::path::Path;
 use super::block::Block;
 use super::columns::Column;
 use crate::model::precision::Precision;
-use crate::scene::Grid;
 use crate::stepping::outcome::Outcome;
 
 /// Cells that are read at once by what goes through all of them.
@@ -60,25 +59,12 @@ impl Outcomes for Vec<Outcome> {
     }
 }
 
-/// Goes through some columns of all of a grid's cells; `see` is handed block after block with the
-/// number of its first cell.
+/// Goes through some columns of a given number of outcomes; `see` is handed block after block with the number of its first
+/// cell.
 ///
 /// # Errors
 /// Those of reading, and of `see`.
 pub fn each_block(
-    grid: &Grid,
-    outcomes: &dyn Outcomes,
-    columns: &[Column],
-    see: impl FnMut(usize, &[Outcome]) -> io::Result<()>,
-) -> io::Result<()> {
-    each_block_of(grid.len(), outcomes, columns, see)
-}
-
-/// The same of a given number of outcomes.
-///
-/// # Errors
-/// Those of reading, and of `see`.
-pub fn each_block_of(
     count: usize,
     outcomes: &dyn Outcomes,
     columns: &[Column],

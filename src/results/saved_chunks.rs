@@ -4,18 +4,9 @@ use std::ops::Range;
 use std::path::PathBuf;
 
 use super::chunk::Fault;
-use super::chunk_files::ChunkFiles;
+use super::chunk_files::{ChunkFiles, SavedChunk};
 use super::store_error::StoreError;
 use crate::work::parallel;
-
-/// A chunk of which cells were saved.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct SavedChunk {
-    /// Its number.
-    pub chunk: usize,
-    /// The runs of cells that have run.
-    pub done: Vec<Range<usize>>,
-}
 
 /// What an earlier run left.
 #[derive(Debug, Default)]

@@ -61,7 +61,7 @@ impl Tally {
             mean_time: 0.0,
         };
         let (mut stand, mut time) = (0_usize, 0.0);
-        each_block(grid, outcomes, &columns, |first, block| {
+        each_block(grid.len(), outcomes, &columns, |first, block| {
             for (index, cell) in (first..).zip(block) {
                 tally.by_class[cell.class as usize] += 1;
                 if let Some(tensile) = &mut tally.tensile {

@@ -118,7 +118,7 @@ impl ColumnValues {
     }
 
     /// Their bytes, the lowest of each first.
-    pub(super) fn to_bytes(&self) -> Vec<u8> {
+    pub fn to_bytes(&self) -> Vec<u8> {
         match self {
             ColumnValues::Codes(values) => values.clone(),
             ColumnValues::Counts(values) => bytes_of(values, u32::to_le_bytes),
@@ -127,8 +127,23 @@ impl ColumnValues {
         }
     }
 
+    /// Their type.
+    pub fn value_type(&self) -> ValueType {
+        match self {
+            ColumnValues::Codes(_) => ValueType::U8,
+            ColumnValues::Counts(_) => ValueType::U32,
+            ColumnValues::Singles(_) => ValueType::F32,
+            ColumnValues::Doubles(_) => ValueType::F64,
+        }
+    }
+
+    /// True where there is no value.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
     /// The number of values.
-    pub(super) fn len(&self) -> usize {
+    pub fn len(&self) -> usize {
         match self {
             ColumnValues::Codes(values) => values.len(),
             ColumnValues::Counts(values) => values.len(),

@@ -6,11 +6,11 @@
 
 use serde_json::{Map, Value, json};
 
-use super::about::{Source, index};
+use super::about::Source;
 use super::chunking::Chunking;
 use super::column_set::ColumnSet;
 use super::columns::{Column, ColumnKind, Entry, STATUS_NAMES};
-use super::listed::{CELL, CELL_MEANING, ListedCells};
+use super::listed::{CELL, CELL_MEANING, FileCells};
 use super::values::ValueType;
 use crate::model::precision::Precision;
 use crate::scene::Grid;
@@ -128,32 +128,22 @@ fn axes(grid: &Grid) -> Documents {
     grid.axes().iter().map(of).collect()
 }
 
-/// What a group is of: it has the columns that are held.
-fn held<'a>(source: &Source<'a>) -> Source<'a> {
-    Source { columns: source.columns.held(), ..*source }
-}
-
-/// The documents of a map, each with its path: the arrays', and last the group's, which holds them all.
-pub fn documents(grid: &Grid, source: &Source) -> Documents {
-    let layout = Layout { chunking: Chunking::of(grid), index: &index(grid) };
-    let source = held(source);
-    let mut arrays = layout.columns(&source);
-    arrays.extend(axes(grid));
-    group(arrays, source.about(grid))
-}
-
-/// The same of some cells: arrays of one index, with the numbers of the cells and their counts, beside the axes.
-pub fn list_documents(listed: &ListedCells, source: &Source) -> Documents {
-    let layout = Layout { chunking: Chunking::of_list(listed.cells.len()), index: &[listed.index] };
-    let source = held(source);
+/// The documents of a map, or of a list, each with its path: the arrays', and last the group's, which holds them all. A list has
+/// the numbers of its cells and their counts beside the axes.
+pub fn documents<'a>(cells: impl Into<FileCells<'a>>, source: &Source) -> Documents {
+    let cells: FileCells = cells.into();
+    let layout = Layout { chunking: cells.chunking(), index: &cells.index() };
+    let source = Source { columns: source.columns.held(), ..*source };
     let mut arrays = layout.columns(&source);
     let whole =
         |data_type, meaning| layout.array((data_type, json!(0)), json!({ "long_name": meaning }));
-    arrays.push((CELL.to_string(), whole("uint64", CELL_MEANING)));
-    let counts = listed.counts.iter();
+    if cells.list.is_some() {
+        arrays.push((CELL.to_string(), whole("uint64", CELL_MEANING)));
+    }
+    let counts = cells.counts().iter();
     arrays.extend(counts.map(|count| (count.name.to_string(), whole("uint32", count.meaning))));
-    arrays.extend(axes(listed.grid));
-    group(arrays, listed.about(source))
+    arrays.extend(axes(cells.grid));
+    group(arrays, cells.about(source))
 }
 
 /// Attributes that other formats can store, such as NetCDF: what is nested is a text in JSON.

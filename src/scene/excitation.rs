@@ -204,7 +204,7 @@ pub fn check_record(
     force: bool,
 ) -> Result<Pair, SceneError> {
     text.check_treatment()?;
-    let hints = hints_of(text, numbers)?;
+    let hints = hints_of(text, numbers, force)?;
     if let (None, Some(_)) = (&text.vertical, &text.vertical_channel) {
         return Err(SceneError::new(
             "vertical_channel",
@@ -253,12 +253,12 @@ pub(super) fn check_motion(
             "the motion at hand has one horizontal component; give `horizontal` as a file";
         return Err(SceneError::new("horizontal_2", problem));
     }
-    let hints = hints_of(text, numbers)?;
+    let hints = hints_of(text, numbers, force)?;
     treated(pair, (text, numbers), &hints, directory, force)
 }
 
 /// What is said of all files of a record.
-fn hints_of(text: &RecordText, numbers: &Numbers) -> Result<RecordHints, SceneError> {
+fn hints_of(text: &RecordText, numbers: &Numbers, force: bool) -> Result<RecordHints, SceneError> {
     if let Some(dt) = text.dt {
         positive("dt", dt)?;
     }
@@ -266,6 +266,7 @@ fn hints_of(text: &RecordText, numbers: &Numbers) -> Result<RecordHints, SceneEr
         dt: text.dt,
         units: text.units,
         scaled: numbers.get(Parameter::Pga).is_some(),
+        force,
         baseline: text.treatment.baseline,
         ..RecordHints::default()
     })

@@ -111,7 +111,7 @@ impl MapSweep {
         }
         let mut values = Vec::with_capacity(self.grid.len());
         let entry = column.entry();
-        each_block(&self.grid, &*self.outcomes, &[column], |_, block| {
+        each_block(self.grid.len(), &*self.outcomes, &[column], |_, block| {
             values.extend(block.iter().map(|cell| entry.shown(cell).number()));
             Ok(())
         })?;

@@ -2,11 +2,14 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
+use std::env;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use anstream::{StripStream, stderr, stdout};
+use topple::scene::path_text::PathText;
+use topple_manifest::CommandLine;
 
 type Stream = Box<dyn Write + Send>;
 
@@ -82,6 +85,12 @@ impl Call {
         }
         let _before = Before(CURRENT.replace(Some(self.clone())));
         work()
+    }
+
+    /// What repeats it, for run.json.
+    pub fn command_line(&self) -> CommandLine {
+        let arguments = self.words.iter().map(|word| PathText(word.into())).collect();
+        CommandLine { arguments, directory: PathText(env::current_dir().unwrap_or_default()) }
     }
 
     /// Prints on stdout.

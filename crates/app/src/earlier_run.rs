@@ -7,32 +7,20 @@ use std::path::Path;
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use serde_json::{Map, Value};
-use topple::results::earlier::{Kind, RUN};
+use topple::results::earlier::RUN;
 use topple::results::store::IDENTITY;
 use topple::results::{npz, shard, zarr};
 use topple::scene::excitation::RecordText;
 use topple::scene::record::Provenance;
 use topple::scene::{Numbers, Parameter, Scene, SceneBuilder, bounded, shown};
-use topple::sweep::settings::Method;
 use topple_manifest::{Manifest, Run};
-use topple_studies::uncertain::Uncertainty;
-
-use super::map_file::{Besides, MapFile, SPECTRUM};
 
 /// What was run.
 pub struct EarlierRun {
-    /// What the results are of.
-    pub kind: Kind,
     /// The scene, its record read again.
     pub scene: Scene,
-    /// How its cells were computed, where the results tell it.
-    pub method: Option<Method>,
-    /// What they were computed on, where the results tell it.
-    pub backend: Option<String>,
-    /// The distributions of a probability map.
-    pub uncertainty: Option<Uncertainty>,
-    /// What the map had besides.
-    pub besides: Besides,
+    /// How it was computed, and what it had besides; none of a map's arrays, which tell the scene alone.
+    pub manifest: Option<Manifest>,
 }
 
 /// What a map's arrays say of themselves.
@@ -42,8 +30,6 @@ struct Arrays {
     record: Option<Provenance>,
     /// The axes, the last one first: the scene's keys are in alphabetical order.
     index: Option<Vec<Parameter>>,
-    #[serde(flatten)]
-    method: Option<Method>,
 }
 
 /// Of what arrays say of themselves that they are leaves of a refined map, which have these columns in the place of a grid.
@@ -127,40 +113,21 @@ fn unread(error: serde_json::Error) -> String {
 
 /// The run of a run.json.
 fn of_run(text: &str, folder: &Path) -> Result<EarlierRun, String> {
-    let Manifest { kind, run, files, .. } = Manifest::parse(text).map_err(unread)?;
-    let given = run.scene().cloned();
-    let scene = || match given {
-        Some(scene) => checked(&scene, run.record(), folder),
-        None => Err("it has no scene; give one".to_string()),
-    };
-    let mut besides = Besides {
-        spectrum: files.iter().any(|file| file == SPECTRUM),
-        files: MapFile::among(&files),
-        pictures: run.pictures().clone(),
-        ..Besides::default()
-    };
-    let (scene, method, backend, uncertainty) = match &run {
-        Run::Map(map) => {
-            besides.refine = map.refined.as_ref().map(|refined| refined.levels.len() as u32);
-            besides.smooth = map.refined.as_ref().and_then(|refined| refined.smooth);
-            besides.sharpness = map.sharpness.is_some();
-            (scene()?, map.method, map.backend.clone(), None)
-        }
-        Run::History(history) => {
-            besides.more_columns.clone_from(&history.more_columns);
-            (scene()?, history.method, history.backend.clone(), None)
-        }
-        Run::Probability(of) => (scene()?, of.method, of.backend.clone(), of.uncertainty.clone()),
+    let manifest = Manifest::parse(text).map_err(unread)?;
+    let without_command =
+        |name| Err(format!("its {RUN} has no command; run it again by topple {name}"));
+    match &manifest.run {
+        Run::Map(_) | Run::History(_) | Run::Probability(_) => {}
         Run::Suite(_) => return Err("a suite is no scene; read it again by topple suite".into()),
-        Run::Envelope(_) => return Err(without_command("envelope")),
-        Run::Fragility(_) => return Err(without_command("fragility")),
-        Run::Comparison(_) => return Err(without_command("compare")),
+        Run::Envelope(_) => return without_command("envelope"),
+        Run::Fragility(_) => return without_command("fragility"),
+        Run::Comparison(_) => return without_command("compare"),
+    }
+    let Some(scene) = manifest.run.scene() else {
+        return Err("it has no scene; give one".into());
     };
-    Ok(EarlierRun { kind, scene, method, backend, uncertainty, besides })
-}
-
-fn without_command(command: &str) -> String {
-    format!("its {RUN} has no command; run it again by topple {command}")
+    let scene = checked(scene, manifest.run.record(), folder)?;
+    Ok(EarlierRun { scene, manifest: Some(manifest) })
 }
 
 /// The run of what a map's arrays say of themselves.
@@ -168,8 +135,7 @@ fn of_arrays(text: &str, folder: &Path) -> Result<EarlierRun, String> {
     if serde_json::from_str::<Leaves>(text).is_ok() {
         return Err(format!("leaves of a refined map; give the {RUN} beside them"));
     }
-    let Arrays { mut scene, mut record, index, method } =
-        serde_json::from_str(text).map_err(unread)?;
+    let Arrays { mut scene, mut record, index } = serde_json::from_str(text).map_err(unread)?;
     let mut numbers = Numbers::default();
     for parameter in index.iter().flatten().rev() {
         let values = scene.numbers.get(*parameter).cloned();
@@ -188,8 +154,7 @@ fn of_arrays(text: &str, folder: &Path) -> Result<EarlierRun, String> {
         record = Some(there.clone());
     }
     let scene = checked(&scene, record.as_ref(), folder)?;
-    let (kind, backend, uncertainty) = (Kind::Map, None, None);
-    Ok(EarlierRun { kind, scene, method, backend, uncertainty, besides: Besides::default() })
+    Ok(EarlierRun { scene, manifest: None })
 }
 
 /// Checks a scene; files of its record that are not where they were are looked for in `folder` and in the working directory.

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use topple::Written;
 use topple::results::earlier::Kind;
 use topple::scene::Values;
 use topple_manifest::{Run, Site, StudyRun};
@@ -18,7 +19,7 @@ use topple_studies::uncertain::{SAMPLES, Varied};
 
 use super::inputs::InputReader;
 use super::named::{estimator, export};
-use super::number_text::number;
+use super::numbers::number;
 use super::study::StudyFlags;
 use super::study_flags::{HazardFlags, IntervalFlags, RateFlags, unknown};
 use super::suite_run::warn_of_radius;
@@ -193,7 +194,7 @@ impl StudyFlags for FragilityFlags {
             im: Some(self.im),
             levels: self.levels.as_ref().map(|levels| levels.iter().collect()),
             limit_states: settings.states.iter().map(ToString::to_string).collect(),
-            estimators: settings.estimators.iter().map(|one| one.name().into()).collect(),
+            estimators: settings.estimators.iter().map(|one| one.key().into()).collect(),
             drawn: self.intervals.record(Some((&settings.groups, &settings.bootstrap))),
             unknown: unknown(&self.vary, self.samples),
             site,
@@ -213,7 +214,7 @@ impl StudyFlags for FragilityFlags {
 impl FragilityFlags {
     /// The formats that are requested, each once.
     fn exports(&self) -> impl Iterator<Item = Export> {
-        Export::ALL.into_iter().filter(|export| self.export.contains(export))
+        Export::ALL.iter().copied().filter(|export| self.export.contains(export))
     }
 }
 

@@ -1,5 +1,6 @@
 //! What is said of a fragility.
 
+use topple::Written;
 use topple::scene::record::rounded;
 use topple_pictures::drawing::share::percent;
 use topple_studies::fragility::estimate::Estimate;
@@ -24,7 +25,7 @@ pub fn notes(study: &FragilityStudy) -> Vec<String> {
     let of_fits = of_states.flat_map(|(state, of)| {
         let fits = study.settings.estimators.iter().zip(&of.estimates);
         fits.filter_map(move |(by, fit)| {
-            Some(format!("{state}, {}: {}", by.name(), fit.note.as_ref()?))
+            Some(format!("{state}, {}: {}", by.key(), fit.note.as_ref()?))
         })
     });
     of_fits.collect()
@@ -61,7 +62,7 @@ pub fn tell(study: &FragilityStudy, say: &Reporter) {
     for (number, state) in study.settings.states.iter().enumerate() {
         let fits = study.cells.iter().map(|cell| &cell.states[number].estimates[0]);
         if study.cells.len() > TOLD {
-            let by = study.settings.estimators[0].name();
+            let by = study.settings.estimators[0].key();
             let thetas: Vec<f64> = fits.clone().filter_map(|fit| fit.theta).collect();
             let low = thetas.iter().copied().fold(f64::MAX, f64::min);
             let high = thetas.iter().copied().fold(0.0, f64::max);
@@ -84,7 +85,7 @@ pub fn tell(study: &FragilityStudy, say: &Reporter) {
         for (k, (estimator, fit)) in study.settings.estimators.iter().zip(&of.estimates).enumerate()
         {
             let name = if k == 0 { state.to_string() } else { String::new() };
-            say.line(&name, format!("{:8} {}", estimator.name(), curve(fit, im)));
+            say.line(&name, format!("{:8} {}", estimator.key(), curve(fit, im)));
             let sensitivity = of.sensitivity.as_ref();
             if let Some((motions, numbers)) = sensitivity.and_then(Sensitivity::shares_of_beta) {
                 let [motions, numbers] = [motions, numbers].map(|beta| rounded(beta, 3));
@@ -152,10 +153,10 @@ fn use_of(first: Estimator, others: &[Estimator]) -> String {
         Estimator::Ida => "the lowest level at which each motion fails it counts",
         Estimator::Cloud => "demands of the runs that stand count",
     };
-    let others: Vec<&str> = others.iter().map(|one| one.name()).collect();
+    let others: Vec<&str> = others.iter().map(|one| one.key()).collect();
     format!(
         "use {}, which gives the picture and the rates: {why}; for comparison: {}",
-        first.name(),
+        first.key(),
         others.join(", ")
     )
 }

@@ -1,34 +1,32 @@
 //! Choices of the studies by their names, as values of flags.
 
+use topple::Written;
 use topple_studies::fragility::{Estimator, Export};
 use topple_studies::suites::Resample;
 use topple_studies::suites::envelope::Best;
 
-/// What is wrong with a name among all that there are.
-fn none<T: Copy>(problem: &str, all: &[T], name: fn(T) -> &'static str) -> String {
-    let known: Vec<&str> = all.iter().map(|one| name(*one)).collect();
-    format!("{problem}; there are {}", known.join(", "))
+/// The choice of a name; the problem where none has it.
+fn named<T: Written>(text: &str, problem: &str) -> Result<T, String> {
+    let known = || T::ALL.iter().map(|one| one.key()).collect::<Vec<_>>().join(", ");
+    T::of_key(text).ok_or_else(|| format!("{problem}; there are {}", known()))
 }
 
 /// What is resampled for intervals.
 pub fn resample(text: &str) -> Result<Resample, String> {
-    let problem = "nothing is drawn by this name";
-    Resample::named(text).ok_or_else(|| none(problem, &Resample::ALL, Resample::name))
+    named(text, "nothing is drawn by this name")
 }
 
 /// What makes a cell the best.
 pub fn best(text: &str) -> Result<Best, String> {
-    let problem = "no cell is the best by this name";
-    Best::named(text).ok_or_else(|| none(problem, &Best::ALL, Best::name))
+    named(text, "no cell is the best by this name")
 }
 
 /// A format of another program.
 pub fn export(text: &str) -> Result<Export, String> {
-    Export::named(text).ok_or_else(|| none("no format of this name", &Export::ALL, Export::name))
+    named(text, "no format of this name")
 }
 
 /// An estimator of a fragility.
 pub fn estimator(text: &str) -> Result<Estimator, String> {
-    let problem = "no estimator of this name";
-    Estimator::named(text).ok_or_else(|| none(problem, &Estimator::ALL, Estimator::name))
+    named(text, "no estimator of this name")
 }

@@ -117,3 +117,8 @@ pub fn in_order(given: impl Iterator<Item = (usize, Parameter, Values)>) -> Numb
 pub fn seed(text: &str) -> Result<u32, String> {
     text.parse().map_err(|_| format!("must be a whole number from 0 to {}", u32::MAX))
 }
+
+/// A number by itself.
+pub fn number(text: &str) -> Result<f64, String> {
+    text.parse().map_err(|_| "no number such as 0.0004 or 4e-4; give it without its unit".into())
+}

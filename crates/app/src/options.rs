@@ -19,12 +19,12 @@ use topple::scene::parameters::PARAMETERS;
 use topple::scene::{Directions, Grid, Overturn, Parameter, Pressure, Scene, SceneError, Values};
 use topple::sweep::settings::{Method, RunSettings, Saving, VerifySettings};
 use topple::work::threads::too_many;
+use topple_manifest::{Manifest, Run};
 use topple_pictures::map::spectrum;
 
 use super::errors::sweep_error;
-use super::map_file::{Besides, MapFile};
-use super::number_text::number;
-use super::numbers::{BaseNumbers, BlockNumbers, RunNumbers, in_order};
+use super::map_file::{MapFile, SPECTRUM};
+use super::numbers::{BaseNumbers, BlockNumbers, RunNumbers, in_order, number};
 use super::picture_flags::PictureFlags;
 use super::uncertain::UncertainFlags;
 use super::words::with_flags;
@@ -287,12 +287,13 @@ pub fn set_threads(threads: Option<NonZeroUsize>) -> Result<(), InputError> {
 impl MapOptions {
     /// Takes over how an earlier run computed its cells, on what, and what its map had besides, where no flag says
     /// otherwise. What is returned are the flags of that run which cannot stand beside those that are given.
-    pub fn adopt(
-        &mut self,
-        backend: Option<&str>,
-        earlier: Option<Method>,
-        besides: &Besides,
-    ) -> Vec<&'static str> {
+    pub fn adopt(&mut self, Manifest { run, files, .. }: &Manifest) -> Vec<&'static str> {
+        let (backend, earlier) = run.computed();
+        let map = match run {
+            Run::Map(map) => Some(map),
+            _ => None,
+        };
+        let refinement = map.and_then(|map| map.refined.as_ref());
         let mut left_out = Vec::new();
         let mut takes = |flag, wanted: bool, excluded: bool| {
             left_out.extend((wanted && excluded).then_some(flag));
@@ -307,16 +308,16 @@ impl MapOptions {
         let repaired = earlier.is_some_and(|earlier| earlier.repair) && !repairs;
         let not_repaired = self.run.resolve || sample || refines || unknown;
         self.repair |= takes("--repair", repaired, not_repaired);
-        let refined = besides.refine.is_some() && !refines;
+        let refined = refinement.is_some() && !refines;
         if takes("--refine", refined, repairs || shard || sample || unknown) {
-            self.parts.refine = besides.refine;
+            self.parts.refine = refinement.map(|of| of.levels.len() as u32);
         }
         if self.parts.refine.is_some() && self.parts.smooth.is_none() {
-            self.parts.smooth = besides.smooth;
+            self.parts.smooth = refinement.and_then(|of| of.smooth);
         }
-        let sharp = besides.sharpness && !self.parts.sharpness;
+        let sharp = map.is_some_and(|map| map.sharpness.is_some()) && !self.parts.sharpness;
         self.parts.sharpness |= takes("--sharpness", sharp, shard || sample || unknown);
-        let spectrum = besides.spectrum && !self.parts.spectrum;
+        let spectrum = files.iter().any(|file| file == SPECTRUM) && !self.parts.spectrum;
         self.parts.spectrum |= takes("--spectrum", spectrum, shard || sample || unknown);
         if self.columns.is_none() && !unknown {
             self.columns =
@@ -324,69 +325,15 @@ impl MapOptions {
         }
         // A shard has no pictures.
         if !shard {
-            self.run.pictures.adopt(besides.pictures.clone());
+            self.run.pictures.adopt(run.pictures().clone());
         }
         // A shard, a sample and probabilities have no files of a map.
         if self.files.is_empty() && !shard && !unknown {
-            self.files.clone_from(&besides.files);
+            self.files = MapFile::among(files);
         }
         let resolve = resolve || self.run.resolve;
         self.run.adopt(backend, earlier.map(|earlier| Method { resolve, ..earlier }));
         left_out
-    }
-
-    /// Flags that only a map has, of those that are given.
-    pub fn of_a_map(&self) -> Vec<&'static str> {
-        let flags = [
-            ("--resume", self.resume),
-            ("--tile", self.tile.is_some()),
-            ("--files", !self.files.is_empty()),
-            ("--columns", self.columns.is_some()),
-            ("--repair", self.repair),
-            ("--refine", self.parts.refine.is_some()),
-            ("--sharpness", self.parts.sharpness),
-            ("--spectrum", self.parts.spectrum),
-            ("--dry-run", self.dry_run),
-        ];
-        flags.into_iter().filter(|(_, given)| *given).map(|(flag, _)| flag).collect()
-    }
-
-    /// The same with those of probabilities and of the reference's sample: a time history has none of them.
-    pub fn not_of_a_history(&self) -> Vec<&'static str> {
-        let more = [
-            ("--verify", self.verify.is_some()),
-            ("--vary or --pixel", self.uncertain.asked()),
-            ("--json", self.talk.json),
-        ];
-        let more = more.into_iter().filter(|(_, given)| *given).map(|(flag, _)| flag);
-        self.of_a_map().into_iter().chain(more).collect()
-    }
-
-    /// Of the flags that are given those that a repetition of a run under a suite has not.
-    pub fn not_of_a_repetition(&self) -> Vec<&'static str> {
-        let RunOptions {
-            backend,
-            adapter,
-            precision,
-            step,
-            resolve,
-            full_model,
-            force,
-            pictures,
-            ..
-        } = &self.run;
-        let more = [
-            ("--backend", backend.is_some()),
-            ("--adapter", !adapter.is_empty()),
-            ("--precision", precision.is_some()),
-            ("--step", step.is_some()),
-            ("--resolve", *resolve),
-            ("--full-model", *full_model),
-            ("--force", *force),
-            (PictureFlags::NAMES, !pictures.record().is_plain()),
-        ];
-        let more = more.into_iter().filter(|(_, given)| *given).map(|(flag, _)| flag);
-        self.not_of_a_history().into_iter().chain(more).collect()
     }
 
     /// What the files are of.

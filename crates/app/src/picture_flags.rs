@@ -5,7 +5,7 @@ use topple::scene::LONGEST_TITLE;
 use topple_manifest::Pictures;
 use topple_pictures::drawing::print::{Print, PrintError};
 
-use super::number_text::number;
+use super::numbers::number;
 use super::written::one_of;
 
 /// The heading of the flags: each has it of its own, so that what follows them does not.

@@ -36,15 +36,15 @@ pub fn write(
     files: &[MapFile],
     palette: Palette,
 ) -> anyhow::Result<()> {
-    let names = names(files);
-    map.listed(|listed| -> anyhow::Result<()> {
+    let (names, source) = (names(files), map.source());
+    map.listed(|listed, outcomes| -> anyhow::Result<()> {
         for name in &names {
             match name.as_str() {
                 "leaves.csv" => {
-                    out.write(name, |w| csv::write_list(listed, map.source().columns, w))?
+                    out.write(name, |w| csv::write(listed, outcomes, source.columns, w))?
                 }
-                "leaves.npz" => out.write(name, |w| npz::write_list(listed, map.source(), w))?,
-                LEAVES => group::write_list(out, name, listed, map.source())?,
+                "leaves.npz" => out.write(name, |w| npz::write(listed, outcomes, source, w))?,
+                LEAVES => group::write_list(out, name, (listed, outcomes), source)?,
                 "refined.png" => out.write(name, |w| write_png(map, palette, w))?,
                 "refined.svg" => out.write(name, |w| write_svg(map, palette, w))?,
                 // One of `names` that has no case here.

@@ -175,7 +175,7 @@ impl<Own: StudyFlags> StudyCommand<Own> {
         });
         let pictures: Vec<_> = pictures.collect::<Result<_, FigureError>>()?;
         let mut tables = request.tables();
-        tables.retain(|(file, _)| study.has(file));
+        tables.retain(|(file, _)| request.has(&study, file));
         let names = tables.iter().map(|(file, _)| file.to_string());
         let drawn = pictures.iter().flat_map(|(name, ..)| picture_files(name));
         out.begin(names.chain(drawn).collect(), &say)?;

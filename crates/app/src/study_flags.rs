@@ -18,8 +18,7 @@ use topple_studies::uncertain::Varied;
 
 use super::inputs::{self, InputReader, Inputs};
 use super::named::resample;
-use super::number_text::number;
-use super::numbers::seed;
+use super::numbers::{number, seed};
 use super::written::one_of;
 use super::{InputError, words};
 

@@ -1,5 +1,6 @@
 //! What is said of the levels and the intervals of any study.
 
+use topple::Written;
 use topple::scene::record::rounded;
 use topple_studies::fragility::{HazardCurve, HazardText, Stripe};
 use topple_studies::suites::Falling;
@@ -79,7 +80,7 @@ pub fn warn_of_few(groups: &Groups) {
         )),
         (by, None) if few(groups.count) => words::warn(format!(
             "the intervals are of {}; of fewer than {FEWEST_EVENTS} they are too narrow",
-            counted(groups.count, by.name())
+            counted(groups.count, by.key())
         )),
         _ => {}
     }
@@ -128,7 +129,7 @@ pub fn intervals(groups: &Groups, motions: usize) -> String {
     let motions = counted(motions, "motion");
     let drawn = match (by, events) {
         (Resample::Motion, _) => return format!("of 95 %, by motion: {motions}"),
-        (by, _) => counted(*count, by.name()),
+        (by, _) => counted(*count, by.key()),
     };
     let unknown = match (by, events) {
         (Resample::Recording, None) => "; not every motion's event is known",

@@ -15,12 +15,13 @@ use topple_pictures::studies::suite as picture;
 use topple_studies::suites::read::Reading;
 use topple_studies::suites::{Suite, SuiteError, table};
 
+use super::call::Call;
 use super::inputs::PUT_BACK;
 use super::picture_flags::PictureFlags;
 use super::results_directory::Place;
 use super::words::{self, Reporter, counted, with_columns};
 use super::written::one_of;
-use super::{InputError, command_line, examples};
+use super::{InputError, examples};
 
 /// Read a folder, a zip or a list of records as one suite, and write a table of its motions.
 ///
@@ -102,7 +103,7 @@ impl SuiteCommand {
         warn_of_doubts(&suite);
         out.finish(Run::Suite(Box::new(SuiteRun {
             suite: Some(PathText(self.path.clone())),
-            command: Some(command_line::own()),
+            command: Some(Call::current().command_line()),
             motions: suite.motions().count(),
             recordings: Some(suite.recordings().1),
             events: suite.events(),

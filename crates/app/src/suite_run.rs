@@ -11,12 +11,14 @@ use topple::scene::path_text::PathText;
 use topple::scene::record::Baseline;
 use topple::scene::{Grid, Parameter, Scene, Values};
 use topple::sweep::error::SweepError;
+use topple::sweep::settings::Method;
 use topple_manifest::{CommandLine, Source, Sources, Study};
 use topple_studies::suites::read::Reading;
 use topple_studies::suites::swept::{SuiteJob, SuiteSweep};
 use topple_studies::suites::verified::Verified;
 use topple_studies::suites::{Suite, SuiteRequest, saved};
 
+use super::call::Call;
 use super::errors::sweep_error;
 use super::estimate::duration;
 use super::inputs::{InputReader, Inputs};
@@ -25,7 +27,7 @@ use super::progress::Screen;
 use super::results_directory::{self, Place};
 use super::words::{Reporter, counted};
 use super::written::one_of;
-use super::{InputError, command_line, device_remarks, interrupt, suite, words};
+use super::{InputError, device_remarks, interrupt, suite, words};
 
 /// The motions, and how they are run. What is refused under a suite is not in the help: a friction, and a scene's file.
 #[derive(clap::Args)]
@@ -234,11 +236,12 @@ impl SuiteFlags {
     pub fn record(&self, swept: &SuiteSweep, suite: &Suite, options: &RunOptions) -> Study {
         let runs: usize = swept.motions.iter().map(|motion| motion.outcomes.len()).sum();
         let repeats = self.repeats.as_ref().map(|of| of.line.clone());
+        let Method { precision, largest_step, resolve, full_model, repair, .. } = options.method();
         Study {
             scene: Some(swept.scene.clone()),
             device: DeviceNumbers::of(&swept.scene),
             suite: Some(PathText(self.suite.clone())),
-            command: Some(repeats.unwrap_or_else(command_line::own)),
+            command: Some(repeats.unwrap_or_else(|| Call::current().command_line())),
             motions: suite.motions().map(|(entry, _)| entry.id.clone()).collect(),
             both_directions: self.both_directions,
             records: Source::of(suite),
@@ -246,7 +249,11 @@ impl SuiteFlags {
             backend: Some(swept.backend.into()),
             adapter: swept.adapter.clone(),
             threads: threads(),
-            method: Some(options.method()),
+            precision: Some(precision),
+            largest_step,
+            resolve,
+            full_model,
+            repair,
             cells: swept.grid.len(),
             sweep_seconds: swept.seconds,
             records_times_cells_per_second: runs as f64 / swept.seconds.max(1.0e-9),

@@ -7,7 +7,7 @@ use topple_studies::uncertain::{Uncertainty, Varied};
 use super::numbers::seed;
 
 /// Flags of a map that a probability map does not have: nothing of it is saved until it is done.
-const NOT_BESIDE: [&str; 10] = [
+pub const NOT_BESIDE: [&str; 10] = [
     "resume",
     "keep_every",
     "tile",

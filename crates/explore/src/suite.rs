@@ -4,12 +4,13 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use super::asked::builder;
-use super::frame::{Array, frame};
+use super::frame::frame;
 use super::refused::Refused;
 use super::session::{Ready, Session};
 use super::stage::{StageSummary, ViewRequest, header};
 use super::stages::at_most;
 use super::watched::Watched;
+use topple::results::values::ColumnValues;
 use topple::scene::Grid;
 use topple_studies::suites::envelope::{CellEnvelope, Envelope, EnvelopeSettings};
 use topple_studies::suites::request::SuiteRequest;
@@ -69,9 +70,9 @@ pub fn run(
 }
 
 /// The arrays of a suite's view.
-fn arrays(envelope: &Envelope) -> Vec<(&'static str, Array)> {
+fn arrays(envelope: &Envelope) -> Vec<(&'static str, ColumnValues)> {
     let of = |one: fn(&CellEnvelope) -> f64| {
-        Array::Singles(envelope.cells.iter().map(|cell| one(cell) as f32).collect())
+        ColumnValues::Singles(envelope.cells.iter().map(|cell| one(cell) as f32).collect())
     };
     vec![
         ("standing", of(|cell| cell.standing)),
@@ -80,7 +81,7 @@ fn arrays(envelope: &Envelope) -> Vec<(&'static str, Array)> {
         ("max_u", of(|cell| cell.max_u[2])),
         ("stroke_v", of(|cell| cell.stroke_v[2])),
         ("feasible", {
-            Array::Bytes(envelope.cells.iter().map(|cell| u8::from(cell.feasible)).collect())
+            ColumnValues::Codes(envelope.cells.iter().map(|cell| u8::from(cell.feasible)).collect())
         }),
     ]
 }

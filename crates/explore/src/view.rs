@@ -6,7 +6,7 @@ use std::time::Instant;
 use serde_json::json;
 
 use super::asked::AskedPrecision;
-use super::frame::{Array, frame};
+use super::frame::{PRECISION, frame};
 use super::refused::Refused;
 use super::session::{Ready, Session};
 use super::stage::{StageSummary, ViewRequest, header};
@@ -15,10 +15,12 @@ use super::watched::Watched;
 use topple::model::precision::Precision;
 use topple::refine::run::refine_on;
 use topple::refine::settings::RefineSettings;
-use topple::results::columns::{Column, ColumnKind, TABLE};
+use topple::results::chunk::of_outcomes;
+use topple::results::columns::{Column, TABLE};
 use topple::results::outcomes::Outcomes;
 use topple::results::palette::{Kind, is_dotted};
 use topple::results::store_error::StoreError;
+use topple::results::values::ColumnValues;
 use topple::stepping::outcome::{Class, Outcome};
 use topple::sweep::error::SweepError;
 use topple::sweep::job::{Job, SweepResult};
@@ -106,7 +108,9 @@ pub fn run(
             columns: refined.source().columns,
         };
         let mut arrays = arrays(&map_of, columns);
-        if let Some((_, Array::Bytes(marks))) = arrays.iter_mut().find(|own| own.0 == "marks") {
+        if let Some((_, ColumnValues::Codes(marks))) =
+            arrays.iter_mut().find(|own| own.0 == "marks")
+        {
             let mut ran = refined.cells().iter().peekable();
             for (cell, mark) in marks.iter_mut().enumerate() {
                 let is_run = ran.next_if(|own| **own == cell).is_some();
@@ -153,27 +157,17 @@ pub fn marks(outcome: &Outcome, beyond: bool) -> u8 {
 }
 
 /// The arrays of a map: kinds, marks, and the columns asked for. A name that is no column's is passed over.
-fn arrays<'a>(map: &Map, columns: &'a [String]) -> Vec<(&'a str, Array)> {
+fn arrays<'a>(map: &Map, columns: &'a [String]) -> Vec<(&'a str, ColumnValues)> {
     let kinds = Kind::all();
     let each = map.outcomes.iter();
     let all_marks = each.clone().zip(0..).map(|(own, cell)| marks(own, map.beyond_the_model(cell)));
     let mut arrays = vec![
-        ("kind", Array::Bytes(each.map(|outcome| kind(outcome, &kinds)).collect())),
-        ("marks", Array::Bytes(all_marks.collect())),
+        ("kind", ColumnValues::Codes(each.map(|outcome| kind(outcome, &kinds)).collect())),
+        ("marks", ColumnValues::Codes(all_marks.collect())),
     ];
     for name in columns {
         let Some(entry) = TABLE.iter().find(|entry| entry.name == name) else { continue };
-        let numbers = map.outcomes.iter().map(|outcome| entry.shown(outcome).number());
-        let array = match entry.kind {
-            ColumnKind::Class | ColumnKind::Status => {
-                Array::Bytes(numbers.map(|code| code as u8).collect())
-            }
-            ColumnKind::Count => Array::Counts(numbers.map(|count| count as u32).collect()),
-            ColumnKind::Number | ColumnKind::Time => {
-                Array::Singles(numbers.map(|number| number as f32).collect())
-            }
-        };
-        arrays.push((name, array));
+        arrays.push((name, of_outcomes(name, entry, &map.outcomes, PRECISION)));
     }
     arrays
 }

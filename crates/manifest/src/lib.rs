@@ -18,6 +18,7 @@ use topple::results::earlier::Kind;
 use topple::scene::path_text::PathText;
 use topple::scene::record::Provenance;
 use topple::scene::{Scene, bounded};
+use topple::sweep::settings::Method;
 use topple_studies::uncertain::Varied;
 
 pub use map::{
@@ -161,6 +162,16 @@ impl Run {
         match self {
             Run::Suite(run) => run.command.as_ref(),
             _ => self.study()?.command.as_ref(),
+        }
+    }
+
+    /// What the cells of a scene were computed on, and how, where it tells that; nothing of a suite's runs, which have a command.
+    pub fn computed(&self) -> (Option<&str>, Option<Method>) {
+        match self {
+            Run::Map(run) => (run.backend.as_deref(), run.method),
+            Run::History(run) => (run.backend.as_deref(), run.method),
+            Run::Probability(run) => (run.backend.as_deref(), run.method),
+            _ => (None, None),
         }
     }
 

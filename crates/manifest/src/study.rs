@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 use topple::backend::description::AdapterDescription;
+use topple::model::precision::Precision;
 use topple::scene::Scene;
 use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::path_text::PathText;
-use topple::sweep::settings::Method;
 use topple_studies::suites::envelope::Best;
 use topple_studies::suites::intensity::Intensity;
 use topple_studies::suites::resample::Resample;
@@ -49,8 +49,12 @@ pub struct Study {
     pub backend: Option<String>,
     pub adapter: Option<AdapterDescription>,
     pub threads: usize,
-    #[serde(flatten)]
-    pub method: Option<Method>,
+    // A method, but for its columns: a study has a key of this name.
+    pub precision: Option<Precision>,
+    pub largest_step: f64,
+    pub resolve: bool,
+    pub full_model: bool,
+    pub repair: bool,
     pub cells: usize,
     pub sweep_seconds: f64,
     pub records_times_cells_per_second: f64,

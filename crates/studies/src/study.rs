@@ -29,6 +29,11 @@ pub trait StudyRequest: Sync {
 
     /// The tables that a study of it may have.
     fn tables(&self) -> Vec<StudyTable<Self::Study>>;
+
+    /// True where a study has something for one of them.
+    fn has(&self, _study: &Self::Study, _file: &str) -> bool {
+        true
+    }
 }
 
 /// What the sweeps of a suite tell.
@@ -41,11 +46,6 @@ pub trait Study: Send + Sized {
 
     /// The sweeps that it was made of.
     fn sweep(&mut self) -> &mut SuiteSweep;
-
-    /// True where it has something for a table of its request.
-    fn has(&self, _file: &str) -> bool {
-        true
-    }
 }
 
 /// A study that is ready to run.

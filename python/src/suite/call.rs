@@ -117,7 +117,7 @@ impl<'a, 'py> Call<'a, 'py> {
     ) -> PyResult<Tables<'py>> {
         let all = PyDict::new(self.py);
         for (file, write) in request.tables() {
-            if file != RUNS && study.has(file) {
+            if file != RUNS && request.has(&study, file) {
                 all.set_item(file.trim_end_matches(".csv"), text(|to| write(&study, to))?)?;
             }
         }

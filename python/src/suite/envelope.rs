@@ -3,6 +3,7 @@
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
+use topple::Written;
 use topple_studies::suites::envelope as tables;
 use topple_studies::{Best, EnvelopeRequest};
 
@@ -25,7 +26,7 @@ pub fn envelope<'py>(
 ) -> PyResult<Tables<'py>> {
     let (call, request) = Call::of(py, keywords, progress, OWN)?;
     let mut request = EnvelopeRequest::new(request, call.limits()?);
-    request.best = call.named("best", Best::named, "")?.unwrap_or(request.best);
+    request.best = call.named("best", Best::of_key, "")?.unwrap_or(request.best);
     request.columns = call.columns()?;
     request.resample = call.resample()?;
     request.vary = varied(keywords)?;

@@ -3,6 +3,7 @@
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
+use topple::Written;
 use topple_studies::fragility::table_columns::{CAPACITIES, COUNTS, FITS, RATES, SENSITIVITY};
 use topple_studies::{Estimator, FragilityRequest};
 
@@ -28,7 +29,7 @@ pub fn fragility<'py>(
     request.limit_zeta = call.numbers("limit_zeta")?;
     request.limit_u = call.numbers("limit_u")?;
     request.limit_v = call.numbers("limit_v")?;
-    request.estimators.extend(call.all_named("estimator", Estimator::named)?);
+    request.estimators.extend(call.all_named("estimator", Estimator::of_key)?);
     request.resample = call.resample()?;
     request.vary = varied(keywords)?;
     request.bootstrap = call.number("bootstrap", "a number of sets")?;

@@ -74,7 +74,7 @@ impl<'py> Call<'_, 'py> {
 
     /// What is drawn for intervals, where it is given.
     pub fn resample(&self) -> PyResult<Option<Resample>> {
-        self.named("resample", Resample::named, "")
+        self.named("resample", Resample::of_key, "")
     }
 
     /// The intensity measure, where it is given.

@@ -18,6 +18,8 @@ pub struct RecordHints {
     pub second: bool,
     /// The channel that is wanted of such a file: its number, or its direction.
     pub channel: Option<String>,
+    /// Words of its heading that are not read, and may tell a sign or a factor, are accepted.
+    pub force: bool,
     /// What is subtracted from its velocity.
     pub baseline: Option<Baseline>,
 }

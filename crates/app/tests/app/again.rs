@@ -263,7 +263,7 @@ fn what_topple_run_does_not_run_again_names_its_command() {
     for (name, flags, says) in [
         ("history", "--refine 2", "a time history has no --refine; leave that out"),
         ("history", "--verify 4", "a time history has no --verify"),
-        ("history", "--pixel", "a time history has no --vary or --pixel"),
+        ("history", "--pixel", "a time history has no --pixel"),
         ("probability", "--refine 2", "a probability map has no --refine"),
         ("probability", "--tile 1/2", "a probability map has no --tile"),
     ] {

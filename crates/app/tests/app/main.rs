@@ -13,6 +13,7 @@ mod compare;
 mod devices;
 mod docs_pictures;
 mod drivers;
+mod earlier_runs;
 mod ending;
 mod envelopes;
 mod experiments;

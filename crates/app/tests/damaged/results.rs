@@ -18,6 +18,7 @@ use topple::{
     Unwatched, VerifySettings, sweep,
 };
 use topple_app::earlier_run;
+use topple_manifest::Run;
 use topple_studies::fragility::hazard_text;
 use topple_studies::{Intensity, Lognormal};
 
@@ -85,10 +86,13 @@ pub fn manifests() -> Vec<Vec<u8>> {
 /// What is at a path is run again, or at least planned.
 fn run_again(path: &Path) -> Result<(), String> {
     let found = earlier_run::at(path).ok_or("no results")??;
-    if let (Some(method), scene) = (found.method, &found.scene) {
-        method.plan(scene).map_err(|error| error.to_string())?;
+    let run = found.manifest.as_ref().map(|manifest| &manifest.run);
+    if let Some((_, Some(method))) = run.map(Run::computed) {
+        method.plan(&found.scene).map_err(|error| error.to_string())?;
     }
-    if let Some(uncertainty) = &found.uncertainty {
+    if let Some(Run::Probability(of)) = run
+        && let Some(uncertainty) = &of.uncertainty
+    {
         // A million sweeps may be asked for: that takes its time, and is no fault.
         let few = uncertainty.samples.min(64);
         let uncertainty = topple_studies::Uncertainty { samples: few, ..uncertainty.clone() };

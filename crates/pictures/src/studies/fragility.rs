@@ -8,6 +8,7 @@ use crate::drawing::picture::Picture;
 use crate::drawing::print::Print;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::{COLUMN, FONT, MARGIN, caption};
+use topple::Written as _;
 use topple::results::colour::{BLACK, Colour};
 use topple::results::palette::STATES;
 use topple::scene::grid;
@@ -133,7 +134,7 @@ pub fn curves(study: &FragilityStudy, intensity: Intensity, print: Print) -> Pic
             mark.draw(&mut canvas, at, 1.6, colour);
         }
     }
-    let by = study.settings.estimators[0].name();
+    let by = study.settings.estimators[0].key();
     let marks = match (has_shares(&study.cells[0].states[0]), study.is_weighted()) {
         (false, _) => "",
         (true, false) => "Marks: shares of the motions that make the block fail. ",
@@ -234,7 +235,7 @@ pub fn along(
         }
     });
     frame.draw(&mut canvas, BOTH);
-    let by = study.settings.estimators[0].name();
+    let by = study.settings.estimators[0].key();
     entries.push(entry(Swatch::None, format!("Estimated by {by}; bars: 95 % intervals of θ.")));
     let at = (MARGIN, place.bottom() + BELOW + MARGIN);
     let end = legend::draw(&mut canvas, &entries, at, wide, 2);
@@ -302,7 +303,7 @@ pub fn maps(
         let text = format!("annual rate of {target}, with what the hazard curve may leave out");
         entries.push(entry(Swatch::Line(stroke(BLACK, 1.1)), text));
     }
-    let by = study.settings.estimators[0].name();
+    let by = study.settings.estimators[0].key();
     entries.push(entry(Swatch::None, format!("Estimated by {by}.")));
     let end = legend::draw(&mut canvas, &entries, (MARGIN, end + MARGIN), wide, 2);
     Ok(canvas.finish(end + MARGIN))

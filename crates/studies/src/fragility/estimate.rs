@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use super::cloud::Cloud;
 use super::curve::{Curve, Lognormal};
 use super::fit::{Fit, Gap};
@@ -14,33 +16,16 @@ use super::runs::{Pool, RecordRuns, Run, Stripe, Weighed, weighed};
 use super::stripes;
 use crate::statistics::Bootstrap;
 
-/// How a fragility is estimated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Estimator {
-    /// Multiple stripes: every run counts at its level.
-    Stripes,
-    /// Incremental dynamic analysis: each record's lowest failing level is its capacity.
-    Ida,
-    /// A regression of the demand on those that stand, and the share of those that collapse.
-    Cloud,
-}
-
-impl Estimator {
-    /// All of them.
-    pub const ALL: [Estimator; 3] = [Estimator::Stripes, Estimator::Ida, Estimator::Cloud];
-
-    /// Its name in commands and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Estimator::Stripes => "stripes",
-            Estimator::Ida => "ida",
-            Estimator::Cloud => "cloud",
-        }
-    }
-
-    /// The one of a name.
-    pub fn named(name: &str) -> Option<Estimator> {
-        Estimator::ALL.into_iter().find(|estimator| estimator.name() == name)
+topple::written! {
+    /// How a fragility is estimated.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+    pub enum Estimator {
+        /// Multiple stripes: every run counts at its level.
+        Stripes = "stripes",
+        /// Incremental dynamic analysis: each record's lowest failing level is its capacity.
+        Ida = "ida",
+        /// A regression of the demand on those that stand, and the share of those that collapse.
+        Cloud = "cloud",
     }
 }
 

@@ -2,6 +2,8 @@
 
 use std::io::{self, Write};
 
+use serde::{Deserialize, Serialize};
+
 use super::curve::Lognormal;
 use super::hazard_openquake::unit_of_openquake;
 use super::limit_state::LimitState;
@@ -10,16 +12,19 @@ use super::study::FragilityStudy;
 use crate::study::StudyTable;
 use crate::suites::columns;
 use crate::suites::intensity::Intensity;
+use topple::Written;
 use topple::scene::SceneError;
 
-/// A format of another program.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Export {
-    /// The fragility model of OpenQuake, NRML 0.5 (openquake.risklib.read_nrml, version 3.26): lognormal functions by the mean and
-    /// the standard deviation of the level itself, in OpenQuake's units.
-    Nrml,
-    /// The damage parameters of pelicun (version 3.10): a component in each row, with the medians and the deviations of its limit states.
-    Pelicun,
+topple::written! {
+    /// A format of another program.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    pub enum Export {
+        /// The fragility model of OpenQuake, NRML 0.5 (openquake.risklib.read_nrml, version 3.26): lognormal functions by the mean and
+        /// the standard deviation of the level itself, in OpenQuake's units.
+        Nrml = "nrml",
+        /// The damage parameters of pelicun (version 3.10): a component in each row, with the medians and the deviations of its limit states.
+        Pelicun = "pelicun",
+    }
 }
 
 /// The deviation of ln(level) that a step is written with: other programs divide by it.
@@ -33,22 +38,6 @@ const FAR_BELOW: f64 = 8.0;
 const FAR_ABOVE: f64 = 4.0;
 
 impl Export {
-    /// All of them.
-    pub const ALL: [Export; 2] = [Export::Nrml, Export::Pelicun];
-
-    /// Its name in commands.
-    pub fn name(self) -> &'static str {
-        match self {
-            Export::Nrml => "nrml",
-            Export::Pelicun => "pelicun",
-        }
-    }
-
-    /// The one of a name.
-    pub fn named(name: &str) -> Option<Export> {
-        Export::ALL.into_iter().find(|export| export.name() == name)
-    }
-
     /// The name of its file.
     pub fn file(self) -> &'static str {
         match self {
@@ -69,7 +58,7 @@ impl Export {
         if has {
             return Ok(());
         }
-        let problem = format!("{} has no {measure}; give pga, pgv or sa:T", self.name());
+        let problem = format!("{} has no {measure}; give pga, pgv or sa:T", self.key());
         Err(SceneError::new("export", problem))
     }
 
@@ -163,7 +152,7 @@ fn write_nrml(study: &FragilityStudy, out: &mut dyn Write) -> io::Result<()> {
     let chains = chains(&study.settings.states);
     let chain = chains.first().map_or(&[][..], |(_, chain)| chain);
     let names: Vec<String> = chain.iter().map(identifier).collect();
-    let by = study.settings.estimators[0].name();
+    let by = study.settings.estimators[0].key();
     let motions = study.records().count();
     let version = env!("CARGO_PKG_VERSION");
     writeln!(out, r#"<?xml version="1.0" encoding="UTF-8"?>"#)?;

@@ -10,6 +10,7 @@ use super::study::{FragilityStudy, StudySettings};
 use super::tables;
 use crate::statistics::Bootstrap;
 use crate::statistics::bca::FEWEST;
+use crate::statistics::bootstrap::MANY;
 use crate::study::{StudyError, StudyJob, StudyRequest, StudyTable};
 use crate::suites::intensity::Intensity;
 use crate::suites::request::{SuiteRequest, above_zero};
@@ -17,6 +18,7 @@ use crate::suites::swept::{MOST_CELLS, MOST_SWEEPS};
 use crate::suites::wanted::WantedMotion;
 use crate::suites::{Falling, Groups, Resample, Suite};
 use crate::uncertain::{Ensemble, SAMPLES, Varied, check_samples};
+use topple::Written;
 use topple::scene::parameters::Section;
 use topple::scene::{Parameter, Scene, SceneError, Values};
 
@@ -159,7 +161,7 @@ impl StudyRequest for FragilityRequest {
         }
         let other = self.estimators.iter().find(|one| **one != Estimator::Stripes);
         if let (false, Some(other)) = (self.vary.is_empty(), other) {
-            let problem = format!("{} takes a number for known; `vary` has stripes", other.name());
+            let problem = format!("{} takes a number for known; `vary` has stripes", other.key());
             return refused("estimator", problem);
         }
         self.suite.check()?;
@@ -241,6 +243,13 @@ impl StudyRequest for FragilityRequest {
         all.extend(Export::ALL.iter().filter(|one| self.exports.contains(one)).map(Export::table));
         all
     }
+
+    fn has(&self, study: &FragilityStudy, file: &str) -> bool {
+        match Export::ALL.iter().find(|export| export.file() == file) {
+            Some(export) => !export.is_empty(study),
+            None => file != RUNS || study.cells.len() <= MANY,
+        }
+    }
 }
 
 impl FragilityRequest {
@@ -258,7 +267,7 @@ impl FragilityRequest {
         match &self.estimators[..] {
             [] if !self.vary.is_empty() => vec![Estimator::Stripes],
             [] => {
-                let all = Estimator::ALL.into_iter();
+                let all = Estimator::ALL.iter().copied();
                 all.filter(|one| self.levels.is_some() || *one != Estimator::Ida).collect()
             }
             asked => once(asked.iter().copied()),

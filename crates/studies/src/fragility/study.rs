@@ -2,17 +2,14 @@
 
 use super::capacity::{Capacity, share_that_stands_again};
 use super::estimate::{Estimate, Estimator, estimate};
-use super::export::Export;
 use super::hazard::HazardCurve;
 use super::limit_state::LimitState;
 use super::order::{self, Crossing};
 use super::rates;
-use super::request::RUNS;
 use super::runs::{Pool, RecordRuns, Run, Stripe};
 use super::sensitivity::{Sensitivity, Unknown};
 use super::suite_runs::SuiteRuns;
 use crate::statistics::Bootstrap;
-use crate::statistics::bootstrap::MANY;
 use crate::study::Study;
 use crate::suites::intensity::Intensity;
 use crate::suites::swept::SuiteSweep;
@@ -140,13 +137,6 @@ impl Study for FragilityStudy {
 
     fn sweep(&mut self) -> &mut SuiteSweep {
         &mut self.sweep
-    }
-
-    fn has(&self, file: &str) -> bool {
-        match Export::ALL.into_iter().find(|export| export.file() == file) {
-            Some(export) => !export.is_empty(self),
-            None => file != RUNS || self.cells.len() <= MANY,
-        }
     }
 }
 

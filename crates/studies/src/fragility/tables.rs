@@ -10,6 +10,7 @@ use super::study::{CellStudy, FragilityStudy, StateStudy};
 use super::table_columns::{CAPACITIES, COUNTS, FITS, POINTS, RATES, RUNS, SENSITIVITY};
 use crate::suites::columns;
 use crate::suites::grid_table::GridTable;
+use topple::Written;
 use topple::results::csv::Number;
 
 /// A number that may be missing.
@@ -33,7 +34,7 @@ fn estimates(
     let of = |(cell, state, of)| {
         let of: &StateStudy = of;
         let named = study.settings.estimators.iter().zip(&of.estimates);
-        named.map(move |(estimator, fit)| (cell, state, estimator.name(), fit))
+        named.map(move |(estimator, fit)| (cell, state, estimator.key(), fit))
     };
     states(study).flat_map(of)
 }
@@ -171,7 +172,7 @@ pub(super) fn write_rates(study: &FragilityStudy, writer: &mut dyn Write) -> io:
                 by(|rate| rate.above_levels),
                 by(|rate| rate.ordered),
             ];
-            table.row(cell, (state, estimator.name(), numbers, below.map(u8::from), data))?;
+            table.row(cell, (state, estimator.key(), numbers, below.map(u8::from), data))?;
         }
     }
     table.end()

@@ -296,12 +296,15 @@ fn motion(entry: &mut Entry, files: &Files, samples: &AtomicUsize) -> Result<Mot
         baseline: entry.baseline,
         ..RecordHints::default()
     };
+    // Here nothing is forced: a list says what is meant.
+    let plain =
+        |problem: &str| problem.trim_end_matches(ACCEPTED).trim_end_matches("; ").to_string();
     let record = |name: &str, vertical: bool| -> Result<(Record, RecordFile), String> {
         let bytes = files.read(name).map_err(|error| format!("{name}: {error}"))?;
         let channel = entry.channels[usize::from(vertical)].clone();
         let hints = RecordHints { vertical: Some(vertical), channel, ..hints.clone() };
         read::of_bytes(&files.path(name), &bytes, &hints)
-            .map_err(|error| format!("{name}: {error}"))
+            .map_err(|error| format!("{name}: {}", plain(&error.to_string())))
     };
     let horizontal = record(&entry.horizontal, false)?;
     let vertical = entry.vertical.as_deref().map(|name| record(name, true)).transpose()?;
@@ -319,9 +322,6 @@ fn motion(entry: &mut Entry, files: &Files, samples: &AtomicUsize) -> Result<Mot
         .extend(of_name.map(|(stream, corrected)| (format!("{stream} {channel}"), corrected)));
     entry.streams.extend(processing::of_stated(stated));
     let pair = joined::join(horizontal, vertical, &hints, false);
-    // Here nothing is forced: a list says what is meant.
-    let plain =
-        |problem: &str| problem.trim_end_matches(ACCEPTED).trim_end_matches("; ").to_string();
     let mut pair = pair.map_err(|error| format!("{}: {}", error.key, plain(&error.problem)))?;
     samples.fetch_add(pair.len(), Ordering::Relaxed);
     entry.notes.extend(pair.notes.iter().chain(&pair.doubts).cloned());

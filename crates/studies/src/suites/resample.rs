@@ -2,61 +2,29 @@
 
 use std::fmt;
 
-use serde::de::Error;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 use super::recordings::numbered;
 use super::{Entry, Suite};
+use topple::Written;
 use topple::scene::SceneError;
-use topple::scene::shown::shown;
 
-/// What is resampled with replacement.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Resample {
-    /// All motions of an earthquake together.
-    Event,
-    /// All motions of a station in an earthquake together: its components, in both directions.
-    Recording,
-    /// Each motion by itself, as if none had anything in common with another.
-    Motion,
-}
-
-impl Resample {
-    /// All of them.
-    pub const ALL: [Resample; 3] = [Resample::Event, Resample::Recording, Resample::Motion];
-
-    /// Its name in commands and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Resample::Event => "event",
-            Resample::Recording => "recording",
-            Resample::Motion => "motion",
-        }
-    }
-
-    /// The one of a name.
-    pub fn named(name: &str) -> Option<Resample> {
-        Resample::ALL.into_iter().find(|own| own.name() == name)
+topple::written! {
+    /// What is resampled with replacement.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    pub enum Resample {
+        /// All motions of an earthquake together.
+        Event = "event",
+        /// All motions of a station in an earthquake together: its components, in both directions.
+        Recording = "recording",
+        /// Each motion by itself, as if none had anything in common with another.
+        Motion = "motion",
     }
 }
 
 impl fmt::Display for Resample {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl Serialize for Resample {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.name())
-    }
-}
-
-impl<'de> Deserialize<'de> for Resample {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Resample, D::Error> {
-        let name = String::deserialize(deserializer)?;
-        Resample::named(&name)
-            .ok_or_else(|| Error::custom(format!("{} is not known", shown(&name))))
+        f.write_str(self.key())
     }
 }
 

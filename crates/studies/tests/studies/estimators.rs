@@ -7,6 +7,7 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::{Rng, SeedableRng};
+use topple::Written;
 use topple_studies::Bootstrap;
 use topple_studies::fragility::ida::Capacities;
 use topple_studies::fragility::runs::{Pool, Stripe};
@@ -160,7 +161,7 @@ fn every_fit_without_a_curve_says_why() {
     let falling = [run(1.0, true), run(2.0, false)];
     let of = |estimator, runs: &[&[Run]]| estimate(estimator, &records_of(runs), &BOOTSTRAP, None);
     let gap = |stands, fails| Some(Note::Separable(Gap { stands, fails }));
-    for estimator in Estimator::ALL {
+    for estimator in Estimator::ALL.iter().copied() {
         let note = |runs: &[&[Run]]| of(estimator, runs).note;
         assert_eq!(note(&[&both, &both, &both]), gap(Some(1.0), Some(2.0)), "{estimator:?}");
         assert_eq!(note(&[&stands, &stands]), gap(Some(2.0), None), "{estimator:?}");
@@ -305,7 +306,7 @@ fn bounds_of_separable_data_are_those_of_a_search() {
 fn equal_seeds_give_equal_intervals_on_any_number_of_threads() {
     let mut random = Pcg64Mcg::seed_from_u64(2);
     let records = sample(&mut random, Lognormal { theta: 1.0, beta: 0.4 }, 30, levels(0.3, 3.0, 8));
-    for estimator in Estimator::ALL {
+    for estimator in Estimator::ALL.iter().copied() {
         let found = |seed, threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             let bootstrap = Bootstrap { replicates: 200, seed };
@@ -320,11 +321,9 @@ fn equal_seeds_give_equal_intervals_on_any_number_of_threads() {
 
 #[test]
 fn names_lead_back_to_their_estimators() {
-    assert_eq!(Estimator::ALL.map(Estimator::name), ["stripes", "ida", "cloud"]);
-    for estimator in Estimator::ALL {
-        assert_eq!(Estimator::named(estimator.name()), Some(estimator));
-    }
-    assert_eq!(Estimator::named("msa"), None);
+    let names: Vec<&str> = Estimator::ALL.iter().map(|one| one.key()).collect();
+    assert_eq!(names, ["stripes", "ida", "cloud"]);
+    assert_eq!(Estimator::of_key("msa"), None);
 }
 
 /// Runs with demands, of a few records at a few levels.
@@ -448,7 +447,7 @@ proptest! {
         let records: Vec<RecordRuns> = runs.iter().enumerate()
             .map(|(k, runs)| RecordRuns { weight: weight(k), group: k, runs: runs.iter().map(run).collect() })
             .collect();
-        for estimator in Estimator::ALL {
+        for estimator in Estimator::ALL.iter().copied() {
             let found = estimate(estimator, &records, &Bootstrap { replicates: 45, seed: 3 }, None);
             prop_assert!(sane(&found), "{estimator:?} {found:?}");
         }
@@ -456,7 +455,7 @@ proptest! {
 
     #[test]
     fn no_ordinary_runs_break_an_estimate(records in some_records()) {
-        for estimator in Estimator::ALL {
+        for estimator in Estimator::ALL.iter().copied() {
             let found = estimate(estimator, &records, &Bootstrap { replicates: 45, seed: 3 }, None);
             prop_assert!(sane(&found), "{estimator:?} {found:?}");
         }

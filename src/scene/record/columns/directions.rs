@@ -4,11 +4,11 @@ use super::super::clock::Clock;
 use super::super::component;
 use super::super::numbers::number;
 use super::super::{Component, Units};
-use super::pieces::{Piece, dashes, is_acceleration, listed, lower, pieces};
-use super::polarity;
-use super::ways::Polarity;
-use super::words::{self, TIMES, tokens, without_brackets, without_units};
-use super::{factors, sign_words};
+use super::polarity::Ways;
+use super::words::{
+    self, TIMES, dashes, is_acceleration, listed, lower, tokens, without_brackets, without_units,
+};
+use super::{alarm, polarity};
 
 /// Directions that mean nothing else where they stand in capitals.
 const DIRECTIONS: [&str; 8] = ["UD", "U-D", "NS", "N-S", "EW", "E-W", "NORTH-SOUTH", "EAST-WEST"];
@@ -109,36 +109,27 @@ pub(super) fn azimuth_by_ways(own: Option<f64>, ways: &[f64]) -> Option<f64> {
 
 /// The one word of a name that is a direction, where all besides are of a sign or a factor: `Z` of `Z*-1`, `Z_inv`, `-Z`.
 fn lone_direction(name: &str) -> Option<String> {
-    let mut found: Vec<String> = Vec::new();
-    let mut behind_word = false;
-    for (piece, touches) in pieces(name) {
-        let is_word = matches!(piece, Piece::Word(_));
-        match (piece, found.last_mut()) {
-            (Piece::Word(word), _) => {
-                let vertical = sign_words::glued(&word).map(|(vertical, _)| vertical.to_string());
-                found.push(vertical.unwrap_or(word));
-            }
-            (Piece::Number(number), Some(word)) if touches && behind_word => {
-                word.push_str(&number.to_string());
-            }
-            _ => {}
-        }
-        behind_word = is_word;
+    let name = lower(name);
+    let numbered = |c: char| !c.is_alphanumeric();
+    let mut found: Vec<&str> =
+        name.split(numbered).filter(|word| word.contains(char::is_alphabetic)).collect();
+    for word in &mut found {
+        *word = alarm::glued(word).unwrap_or(word);
     }
     // Letters may be anything, unless a sign or a factor stands beside them.
-    let signed = polarity::is_left(name, None) || factors::of_name(name).is_some();
+    let signed = alarm::of_name(&name, Some(Component::Up));
     let is_direction =
         |word: &str| Component::named(word).is_some() && (signed || word.len() > 1 || word == "z");
     let is_beside = |word: &str| {
-        let of_sign =
-            sign_words::words(word).iter().all(|(_, one)| *one != sign_words::Word::Other);
-        of_sign || is_acceleration(word) || listed(BESIDE, word) || word == "x"
+        is_acceleration(word)
+            || listed(BESIDE, word)
+            || listed("x t is to not", word)
+            || alarm::of_name(word, None)
     };
     let mut directions = found.iter().filter(|word| is_direction(word));
-    let (first, second) = (directions.next().cloned(), directions.next());
-    first.filter(|_| {
-        second.is_none() && found.iter().all(|word| is_direction(word) || is_beside(word))
-    })
+    let (first, second) = (directions.next(), directions.next());
+    let known = found.iter().all(|word| is_direction(word) || is_beside(word));
+    first.filter(|_| second.is_none() && known).map(|word| word.to_string())
 }
 
 /// True of a name of which `down` is the only word beside those of an acceleration and of units.
@@ -155,9 +146,12 @@ fn is_down(name: &str) -> bool {
 pub(super) fn of_column(name: &str) -> Option<Component> {
     let name = &without_units(&dashes(name));
     let own = of_name(name);
-    match polarity::stated(name) {
-        Some(Polarity::Way(way)) if own != Some(Component::Horizontal) => Some(way),
-        Some(Polarity::OfAll(way)) if own.is_some_and(Component::is_vertical) => Some(way),
+    match polarity::of_column(name) {
+        Some(Ways { vertical: Some(way), is_stated: true, of_all, .. })
+            if own.is_some_and(Component::is_vertical) || own.is_none() && !of_all =>
+        {
+            Some(way)
+        }
         _ => own,
     }
 }

@@ -2,11 +2,11 @@
 
 use super::super::numbers::number;
 use super::super::{Component, Units};
-use super::pieces::dashes;
 use super::words::{
-    TIMES, columns, in_brackets, is_length, is_unit, parts, says_acceleration, says_integral,
+    TIMES, columns, dashes, in_brackets, is_length, is_unit, parts, says_acceleration,
+    says_integral,
 };
-use super::{directions, factors, polarity, ways};
+use super::{alarm, directions, polarity};
 
 /// The name of the one column of values in a line that names it, beside a column of times or alone with its units:
 /// `Time (s), NS (g)`, `NS (g)`.
@@ -30,11 +30,9 @@ pub(super) fn bracket(name: &str) -> Option<&str> {
 /// True of what stands in a bracket and is no unit: `+`, `-1`, `positive down`, `UD`, `inverted`, `x1000`.
 fn is_sign_or_direction(text: &str) -> bool {
     let states = || {
-        polarity::stated(text).is_some()
-            || polarity::is_left(text, None)
-            || !ways::towards(text).is_empty()
+        polarity::in_brackets(text).is_some()
             || Component::named(text).is_some()
-            || factors::of_name(text).is_some()
+            || alarm::of_name(text, None)
     };
     let is_sign = || dashes(text).chars().all(|c| c.is_whitespace() || "+-/".contains(c));
     !is_unit(text) && (is_sign() || number(text).is_some() || states())

@@ -2,16 +2,13 @@
 //! semicolons a comma is a decimal one. A row with the count of the samples, or with the count and the step, may stand
 //! before them; after it several values may stand in a row. Other rows of three numbers and more are in `several`.
 
+mod alarm;
 mod directions;
-mod factors;
 mod meaning;
 mod named;
-mod pieces;
 mod polarity;
-mod products;
 mod rows;
 mod several;
-mod sign_words;
 mod signs;
 mod table;
 #[cfg(test)]
@@ -20,7 +17,6 @@ mod timed;
 mod told;
 mod unit_words;
 mod values;
-mod ways;
 mod words;
 
 use std::borrow::Cow;
@@ -31,7 +27,6 @@ use super::{Raw, RecordError, Stated, dated};
 use crate::scene::shown::shown;
 use rows::Rows;
 use told::Told;
-use ways::Polarity;
 
 /// Most lines of a heading.
 const HEADING: usize = 20;
@@ -73,7 +68,7 @@ fn of_numbers(text: &str, hints: &RecordHints, mut told: Told) -> Result<Raw, Re
             let first = rows.are_none() && title.is_empty() && !told.has_units();
             if rows.are_to_come() && (first || !begins) && at <= HEADING {
                 // Names of columns are no title.
-                if !told.by_heading(at, line)? && title.is_empty() {
+                if !told.by_heading(at, line, title.is_empty())? && title.is_empty() {
                     title = line.chars().take(80).collect();
                 }
                 continue;
@@ -127,7 +122,7 @@ fn of_table(
 /// ways of all components of a recorder it is no place.
 fn titled(mut raw: Raw, title: String) -> Raw {
     let stated = Stated::of_title(&title);
-    let of_all = matches!(polarity::stated(&title), Some(Polarity::OfAll(_)));
+    let of_all = polarity::phrase(&title).is_some_and(|ways| ways.of_all);
     if !stated.event.is_empty() && !of_all {
         raw.stated = Stated { start: raw.stated.start, ..stated };
     }

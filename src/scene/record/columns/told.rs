@@ -2,7 +2,7 @@
 
 use super::super::clock::Clock;
 use super::super::hints::RecordHints;
-use super::super::{Component, Raw, RecordError, Step, Units};
+use super::super::{Component, Raw, RecordError, Stated, Step, Units};
 use super::signs::{Signs, put};
 use super::{directions, meaning, unit_words, values, words};
 use crate::scene::shown::shown;
@@ -29,12 +29,14 @@ pub(super) struct Told {
     as_vertical: bool,
     /// True where dates stood in the place of the times, which are in s.
     dated: bool,
+    /// True where words that are not read are accepted.
+    force: bool,
 }
 
 impl Told {
     pub fn new(hints: &RecordHints) -> Told {
         let as_vertical = hints.vertical == Some(true);
-        Told { given: hints.dt, as_vertical, ..Told::default() }
+        Told { given: hints.dt, as_vertical, force: hints.force, ..Told::default() }
     }
 
     /// The same of a file whose rows began with dates.
@@ -54,7 +56,12 @@ impl Told {
     ///
     /// # Errors
     /// A heading of velocities or displacements, and one that contradicts a line before.
-    pub fn by_heading(&mut self, at: usize, line: &str) -> Result<bool, RecordError> {
+    pub fn by_heading(
+        &mut self,
+        at: usize,
+        line: &str,
+        may_be_title: bool,
+    ) -> Result<bool, RecordError> {
         refuse_others(at, line)?;
         let units = unit_words::units(line);
         let found = units.is_some();
@@ -62,14 +69,16 @@ impl Told {
         let clock = unit_words::clock(line).filter(|_| !self.dated);
         put(&mut self.clock, at, clock, "a unit of the times")?;
         self.put_numbers(at, line)?;
-        self.put_direction(at, directions::stated(line))?;
+        let stated = directions::stated(line);
+        self.put_direction(at, stated)?;
         if let Some(name) = meaning::lone_column(line)
             && let Some(component) = directions::of_column(&name)
             && self.component.is_none()
         {
             self.put_direction(at, Some((component, directions::azimuth_of_column(&name))))?;
         }
-        self.signs.by_line(at, line)?;
+        let of_title = || Stated::of_title(line).component.filter(|_| may_be_title && !found);
+        self.signs.by_line(at, line, stated.map(|(one, _)| one).or_else(of_title))?;
         Ok(found)
     }
 
@@ -117,7 +126,7 @@ impl Told {
             .then(|| directions::stated(words))
             .flatten();
         self.put_direction(at, direction)?;
-        self.signs.by_line(at, words)
+        self.signs.by_line(at, words, direction.map(|(one, _)| one))
     }
 
     fn put_units(&mut self, at: usize, units: Option<String>) -> Result<bool, RecordError> {
@@ -153,7 +162,7 @@ impl Told {
     pub fn complete(self, mut raw: Raw) -> Result<Raw, RecordError> {
         raw.stated.component = raw.stated.component.or(self.component.map(|(_, one)| one));
         raw.stated.azimuth = raw.stated.azimuth.or(self.azimuth.map(|(_, azimuth)| azimuth));
-        let signs = self.signs.apply(&mut raw, self.as_vertical);
+        let signs = self.signs.apply(&mut raw, self.as_vertical, self.force)?;
         raw.notes.splice(0..0, self.notes.into_iter().chain(signs));
         if let (Some((at, step)), None) = (self.step, &raw.step) {
             match self.given {

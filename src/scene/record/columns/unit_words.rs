@@ -4,8 +4,7 @@ use super::super::Units;
 use super::super::clock::Clock;
 use super::super::numbers::number;
 use super::meaning::is_channel;
-use super::pieces::is_acceleration;
-use super::words::{TIMES, columns, in_brackets, names_columns, tokens};
+use super::words::{TIMES, columns, in_brackets, is_acceleration, names_columns, tokens};
 
 /// The words of the units of an acceleration: in brackets, `time (s), acc (cm/s^2)`; `acceleration in g`; `units: gal`.
 pub(super) fn units(words: &str) -> Option<String> {

@@ -3,10 +3,35 @@
 use super::super::Units;
 use super::super::clock::Clock;
 use super::super::numbers::number;
-use super::pieces::{dashes, is_acceleration};
 
 /// Names of a column of times.
 pub(super) const TIMES: [&str; 7] = ["time", "times", "t", "zeit", "temps", "tiempo", "tempo"];
+
+/// True of a word in a list of words.
+pub(super) fn listed(list: &str, word: &str) -> bool {
+    list.split_ascii_whitespace().any(|one| one == word)
+}
+
+/// True of a word of an acceleration.
+pub(super) fn is_acceleration(word: &str) -> bool {
+    ["acc", "beschl", "acel", "accél"].iter().any(|begins| word.starts_with(begins))
+}
+
+/// Longest part of a line whose words are read, in letters.
+const LONGEST: usize = 1000;
+
+/// A line in lower case, with the dashes of word processors as those of a keyboard.
+pub(super) fn lower(line: &str) -> String {
+    dashes(line).to_lowercase().chars().take(LONGEST).collect()
+}
+
+/// A line with the signs of word processors as those of a keyboard: dashes, pluses, arrows.
+pub(super) fn dashes(line: &str) -> String {
+    const LONG: [char; 7] =
+        ['\u{2010}', '\u{2011}', '\u{2012}', '\u{2013}', '\u{2014}', '\u{2212}', '\u{ff0d}'];
+    let plain = line.replace(LONG, "-").replace(['\u{ff0b}', '\u{fe62}'], "+");
+    plain.replace('\u{2193}', " down ").replace('\u{2191}', " up ")
+}
 
 /// What stands in the outermost brackets of a line.
 pub(super) fn in_brackets(line: &str) -> Vec<&str> {

@@ -3,43 +3,31 @@
 use std::cmp::Reverse;
 use std::fmt;
 
-use serde::de::Error;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 use super::{CellEnvelope, Envelope};
-use topple::scene::shown::shown;
+use topple::Written;
 
-/// What makes a feasible cell better than another.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Best {
-    /// It lies farther from a cell that fails; of equal ones the least max |u|, then the least stroke of v.
-    #[default]
-    Reserve,
-    /// A smaller largest max |u|; of equal ones the least stroke of v. Cells that have no feasible one beside them come last.
-    StrokeU,
-    /// A smaller largest stroke of v; of equal ones the least max |u|. Cells that have no feasible one beside them come last.
-    StrokeV,
+topple::written! {
+    /// What makes a feasible cell better than another.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    pub enum Best {
+        /// It lies farther from a cell that fails; of equal ones the least max |u|, then the least stroke of v.
+        Reserve = "reserve",
+        /// A smaller largest max |u|; of equal ones the least stroke of v. Cells that have no feasible one beside them come last.
+        StrokeU = "stroke_u" | "stroke-u",
+        /// A smaller largest stroke of v; of equal ones the least max |u|. Cells that have no feasible one beside them come last.
+        StrokeV = "stroke_v" | "stroke-v",
+    }
+}
+
+impl Default for Best {
+    fn default() -> Best {
+        Best::ALL[0]
+    }
 }
 
 impl Best {
-    /// All of them.
-    pub const ALL: [Best; 3] = [Best::Reserve, Best::StrokeU, Best::StrokeV];
-
-    /// Its name in commands and files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Best::Reserve => "reserve",
-            Best::StrokeU => "stroke_u",
-            Best::StrokeV => "stroke_v",
-        }
-    }
-
-    /// The one of a name.
-    pub fn named(name: &str) -> Option<Best> {
-        let name = name.replace('-', "_");
-        Best::ALL.into_iter().find(|own| own.name() == name)
-    }
-
     /// What is meant by it, in words.
     pub fn words(self) -> &'static str {
         match self {
@@ -54,20 +42,7 @@ impl Best {
 
 impl fmt::Display for Best {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
-}
-
-impl Serialize for Best {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.name())
-    }
-}
-
-impl<'de> Deserialize<'de> for Best {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Best, D::Error> {
-        let name = String::deserialize(deserializer)?;
-        Best::named(&name).ok_or_else(|| Error::custom(format!("{} is not known", shown(&name))))
+        f.write_str(self.key())
     }
 }
 

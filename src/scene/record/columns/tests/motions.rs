@@ -1,5 +1,6 @@
 //! What headings of plain files make of a motion: which way it is positive, where it points, when it begins.
 
+use super::signs::REFUSED;
 use crate::scene::record::read;
 use crate::scene::record::{Component, Pair, Record, RecordHints, joined};
 
@@ -34,7 +35,6 @@ fn a_vertical_that_is_positive_down_by_words_is_turned() {
         ("# positive down\nTime (s), UD (m/s2)", true),
         ("# positive-downwards\n# units: m/s2", true),
         ("Vertical acceleration, downward positive (m/s2)", true),
-        ("Time (s), UP (m/s2), + down", true),
         ("# Z positive down\n# units: m/s2", true),
         ("# polarity: up\nTime (s), Z (m/s2)", false),
         ("# positive north, east, down\nTime (s), UD (m/s2)", true),
@@ -43,8 +43,6 @@ fn a_vertical_that_is_positive_down_by_words_is_turned() {
         ("# component: vertical (down)\n# units: m/s2", true),
         ("# component: vertical down\n# units: m/s2", true),
         ("# direction: downwards\n# units: m/s2", true),
-        ("# not positive down\nTime (s), UD (m/s2)", false),
-        ("# polarity: reversed\nTime (s), UD (m/s2)", false),
     ] {
         let motion = pair(&horizontal, &rows(heading, 0.0, 2.0), false).unwrap();
         let sign = if turned { -1.0 } else { 1.0 };
@@ -56,13 +54,10 @@ fn a_vertical_that_is_positive_down_by_words_is_turned() {
         let error = pair(&rows(heading, 0.0, 2.0), &horizontal, false).unwrap_err();
         assert!(error.contains("is a vertical component; `force` accepts"), "{heading}: {error}");
     }
+    let error = record(&rows("Time (s), UP (m/s2), + down", 0.0, 2.0)).unwrap_err();
+    assert!(error.contains(REFUSED), "{error}");
     let twice = "# polarity: down\n# positive up\nTime (s), UD (m/s2)";
     assert!(record(&rows(twice, 0.0, 1.0)).unwrap_err().starts_with("line 2: a polarity other"));
-    let notes = of("# polarity: reversed\nTime (s), UD (m/s2)").notes;
-    let said = "line 1 speaks of a sign in words that are not understood ('polarity: reversed'): a vertical is taken as positive up";
-    assert!(notes.iter().any(|note| note.starts_with(said)), "{notes:?}");
-    let notes = of("# positive up\n# polarity: reversed\n# units: m/s2").notes;
-    assert!(!notes.iter().any(|note| note.contains("sign")), "{notes:?}");
     // Of a horizontal component it says nothing.
     let stated = of("# positive down\nTime (s), EW (m/s2)").stated;
     assert_eq!(stated.component, Some(Component::Horizontal));
@@ -179,29 +174,4 @@ fn words_of_all_components_do_not_make_a_file_vertical() {
     // A line about the vertical alone decides.
     let text = rows("# positive north, east, down\n# polarity: down\n# units: m/s2", 0.0, 3.0);
     assert!(pair(&text, &up, false).unwrap_err().contains("is a vertical component"));
-}
-
-#[test]
-fn a_negative_factor_in_a_heading_is_said() {
-    let as_vertical = RecordHints { vertical: Some(true), ..RecordHints::default() };
-    for heading in
-        ["Time (s), Z*-1 (m/s2)", "Time (s), -1*Z (m/s2)", "# UD times -1\nTime (s), UD (m/s2)"]
-    {
-        let text = rows(heading, 0.0, 3.0);
-        let v = read::bytes(text.as_bytes(), &as_vertical).unwrap();
-        assert_eq!(v.stated.component, Some(Component::Up), "{heading}");
-        let said =
-            "line 1 states a factor of -1, which is not applied; if a vertical is positive down";
-        assert!(v.notes.iter().any(|note| note.starts_with(said)), "{heading}: {:?}", v.notes);
-    }
-}
-
-#[test]
-fn a_lone_d_may_be_down_and_that_is_said() {
-    let as_vertical = RecordHints { vertical: Some(true), ..RecordHints::default() };
-    for heading in ["Time (s), D (m/s2)", "# Time (s), acc_D (m/s2)"] {
-        let v = read::bytes(rows(heading, 0.0, 3.0).as_bytes(), &as_vertical).unwrap();
-        let unclear = |note: &String| note.contains("a vertical is taken as positive up; write");
-        assert!(v.notes.iter().any(unclear), "{heading}: {:?}", v.notes);
-    }
 }
