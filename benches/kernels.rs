@@ -67,7 +67,7 @@ fn kernels<R: Real>(name: &str) {
         });
     }
     let corner = pivot(&model, rocking.mode);
-    let extremes = rocking.extremes();
+    let extremes = rocking.extremes;
     time(&format!("certificate, {name}"), || {
         is_final(&set, &corner, true, true, true, black_box(&rocking.motion), &extremes)
     });

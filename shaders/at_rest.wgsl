@@ -15,7 +15,7 @@ fn mode_of(tilt: real) -> u32 {
 fn at_rest(finite: bool, tilt: real) -> State {
     var state = State();
     state.motion.phi = tilt;
-    state.min_contact = model.gravity;
+    state.extremes.min_contact = model.gravity;
     state.mode = mode_of(tilt);
     if !finite {
         state.status = DIVERGED;

@@ -1,19 +1,6 @@
 // A cell at the start of its integration: its numbers and its first state. One thread for each cell of a tile. Twin:
 // src/cells/begin.rs.
 
-// The lengths and numbers of the steps of a cell. Twin: src/cells/groups.rs.
-struct Steps {
-    phase_step: real,
-    step_forced: real,
-    step_free: real,
-    rest_speed: real,
-    steps_forced: u32,
-    steps: u32,
-    substeps: u32,
-    // 1 where all these numbers are finite.
-    finite: u32,
-}
-
 @group(0) @binding(1) var<storage, read_write> new_cells: array<Cell>;
 // The samples of the record, and the tables of the groups that have only reals.
 @group(0) @binding(9) var<storage, read> numbers: array<real>;
@@ -39,39 +26,45 @@ fn make(place: Place) -> bool {
     model.right.arm = numbers[lever + 2u];
     model.least_arm = min(model.left.arm, model.right.arm);
     let cell = Cell(
-        numbers[h],
-        numbers[h + 1u],
-        numbers[h + 2u],
-        numbers[h + 3u],
-        numbers[v],
-        numbers[v + 1u],
-        numbers[drive],
-        numbers[drive + 1u],
-        steps.phase_step,
-        steps.step_forced,
-        steps.step_free,
-        steps.rest_speed,
-        numbers[h + 4u],
-        numbers[v + 2u],
-        numbers[h + 5u],
-        numbers[v + 3u],
-        numbers[drive + 4u],
-        numbers[drive + 5u],
-        numbers[h + 6u],
-        numbers[h + 7u],
-        numbers[h + 8u],
-        numbers[h + 9u],
-        numbers[v + 4u],
-        steps.steps_forced,
-        steps.steps,
-        steps.substeps,
+        Horizontal(
+            numbers[h],
+            numbers[h + 1u],
+            numbers[h + 2u],
+            numbers[h + 3u],
+            numbers[h + 4u],
+            numbers[h + 5u],
+            numbers[h + 6u],
+            numbers[h + 7u],
+            numbers[h + 8u],
+            numbers[h + 9u],
+            numbers[h + 10u],
+        ),
+        Vertical(
+            numbers[v],
+            numbers[v + 1u],
+            numbers[v + 2u],
+            numbers[v + 3u],
+            numbers[v + 4u],
+            numbers[v + 5u],
+        ),
+        Drive(
+            numbers[drive],
+            numbers[drive + 1u],
+            numbers[drive + 2u],
+            numbers[drive + 3u],
+            numbers[drive + 4u],
+            numbers[drive + 5u],
+            numbers[drive + 6u],
+        ),
+        steps,
         body,
+        0u,
     );
-    let finite = numbers[h + 10u] > 0.0 && numbers[v + 5u] > 0.0 && numbers[drive + 6u] > 0.0
+    let finite = cell.horizontal.finite > 0.0 && cell.vertical.finite > 0.0 && cell.drive.finite > 0.0
         && steps.finite > 0u;
-    var state = at_rest(finite, numbers[drive + 3u]);
+    var state = at_rest(finite, cell.drive.tilt);
     if tile.shared_contact == 1u && state.status == RUNNING {
-        full_contact(place, numbers[drive + 2u], cell, &state);
+        full_contact(place, cell, &state);
     }
     let slot = tile.first_slot + place.number;
     new_cells[slot] = cell;

@@ -24,9 +24,9 @@ fn base_energy_h(cell: Cell, y: Motion) -> real {
     if !isolated_h {
         return zero;
     }
-    let base_h = y.du * y.du + cell.post_yield * y.u * y.u;
+    let base_h = y.du * y.du + cell.horizontal.post_yield * y.u * y.u;
     if yields {
-        return base_h + cell.yield_energy * y.z * y.z;
+        return base_h + cell.horizontal.yield_energy * y.z * y.z;
     }
     return base_h;
 }
@@ -38,24 +38,24 @@ fn base_energy_v(cell: Cell, y: Motion) -> real {
         return zero;
     }
     let square = y.v * y.v;
-    let linear = y.dv * y.dv + cell.stiffness_v * square;
+    let linear = y.dv * y.dv + cell.vertical.stiffness_v * square;
     if hardens {
-        return linear + 0.5 * cell.hardening_v * square * square;
+        return linear + 0.5 * cell.vertical.hardening_v * square * square;
     }
     return linear;
 }
 
 // The most of |X|, in full contact, for twice an energy over M_t that is left to it, by Cauchy's inequality.
 fn most_x(cell: Cell, root_h: real) -> real {
-    return cell.reach_h * root_h;
+    return cell.horizontal.reach_h * root_h;
 }
 
 // The same of |Y - g|; `root_v` is the root of twice an energy over M_v.
 fn most_y(cell: Cell, root_v: real) -> real {
-    let swing = cell.reach_v * root_v;
+    let swing = cell.vertical.reach_v * root_v;
     if hardens {
-        let ratio = root_v / cell.stiffness_v;
-        return swing * (1.0 + cell.hardening_v * ratio * ratio);
+        let ratio = root_v / cell.vertical.stiffness_v;
+        return swing * (1.0 + cell.vertical.hardening_v * ratio * ratio);
     }
     return swing;
 }
@@ -64,21 +64,21 @@ fn most_y(cell: Cell, root_v: real) -> real {
 // these.
 fn within(cell: Cell, state: State, left_h: real, left_v: real) -> bool {
     // The end stop is out of reach.
-    if stops && !(cell.post_yield * cell.stop_gap * cell.stop_gap >= left_h) {
+    if stops && !(cell.horizontal.post_yield * cell.horizontal.stop_gap * cell.horizontal.stop_gap >= left_h) {
         return false;
     }
     if !displacements {
         return true;
     }
-    if isolated_h && !(cell.post_yield * state.max_u * state.max_u >= left_h) {
+    if isolated_h && !(cell.horizontal.post_yield * state.extremes.max_u * state.extremes.max_u >= left_h) {
         return false;
     }
     if isolated_v {
         // A base at rest moves by the rounding error of the weight that it carries. With the deflection
         // |v| is largest below, or, of a swing of twice the deflection and more, above.
-        let rounding_allowance = real(EVENT_TOLERANCE) * cell.deflection;
-        let way = max(-state.least_v, state.most_v - 2.0 * cell.deflection) + rounding_allowance;
-        return cell.stiffness_v * way * way >= left_v;
+        let rounding_allowance = real(EVENT_TOLERANCE) * cell.vertical.deflection;
+        let way = max(-state.extremes.least_v, state.extremes.most_v - 2.0 * cell.vertical.deflection) + rounding_allowance;
+        return cell.vertical.stiffness_v * way * way >= left_v;
     }
     return true;
 }
@@ -127,8 +127,8 @@ fn is_final(cell: Cell, state: State) -> bool {
             return false;
         }
         if angles {
-            let bound_left = model.gravity * least_rise(model.left, state.max_phi_left);
-            let bound_right = model.gravity * least_rise(model.right, state.max_phi_right);
+            let bound_left = model.gravity * least_rise(model.left, state.extremes.max_phi_left);
+            let bound_right = model.gravity * least_rise(model.right, state.extremes.max_phi_right);
             if !(energy <= bound_left && energy <= bound_right) {
                 return false;
             }
@@ -138,12 +138,12 @@ fn is_final(cell: Cell, state: State) -> bool {
     }
     if accelerations {
         // In full contact plate and block move alike.
-        let least = more * min(state.acc_plate, state.acc_block);
-        let least_total = more * min(state.acc_plate_total, state.acc_block_total);
+        let least = more * min(state.extremes.acc_plate, state.extremes.acc_block);
+        let least_total = more * min(state.extremes.acc_plate_total, state.extremes.acc_block_total);
         let y_most = model.gravity + y_swing;
         let held = least >= x_most && least_total * least_total >= x_most * x_most + y_most * y_most;
         let load = base_load(y_most, y_most, model.gravity);
-        if !(stays && held && more * state.base_load >= load) {
+        if !(stays && held && more * state.extremes.base_load >= load) {
             return false;
         }
     }
@@ -167,6 +167,6 @@ fn forces_are_final(state: State, stays: bool, x_most: real, y_swing: real, ener
     let by_normal = select(model.shear_by_normal * (model.gravity + y_swing), zero, stays);
     let normal = share * (model.gravity - y_swing) - by_shear - model.normal_by_turn * turn;
     let shear = x_most + by_normal + model.shear_by_turn * turn;
-    let pressed = normal >= state.min_contact - margin * abs(state.min_contact);
-    return pressed && more * state.friction * normal >= shear;
+    let pressed = normal >= state.extremes.min_contact - margin * abs(state.extremes.min_contact);
+    return pressed && more * state.extremes.friction * normal >= shear;
 }

@@ -41,24 +41,24 @@ fn rests_early(cell: Cell, state: State) -> bool {
     let now = model.least_arm * base_now.f_v - model.height * abs(base_now.f_h);
     let energy = flight * most / now;
     let held = 4.0 * energy * (least + 2.0 * fall);
-    let radians = 2.5 * momentum * max(cell.reach_h, cell.reach_v);
+    let radians = 2.5 * momentum * max(cell.horizontal.reach_h, cell.vertical.reach_v);
     let eta = max(model.left.eta_phi, model.right.eta_phi);
     let loss = max(1.0 - eta * eta * eta, 1.0e-6);
     if !(least > 0.0 && least >= radians && least * least >= held) {
         return false;
     }
     let angle = 2.0 * flight / sqrt(now * least);
-    if angles && !(min(state.max_phi_left, state.max_phi_right) >= angle) {
+    if angles && !(min(state.extremes.max_phi_left, state.extremes.max_phi_right) >= angle) {
         return false;
     }
     // How far the flights move the base, and how fast.
     let share = 1.25 + 0.02 * radians / (least * loss);
     let moved = model.mu_v * arm * angle * share;
     let kick = model.mu_v * arm * speed * sqrt(most / now);
-    let root_v_moved = sqrt(base_v) + cell.reach_v * moved;
+    let root_v_moved = sqrt(base_v) + cell.vertical.reach_v * moved;
     if !within(cell, state, root_h * root_h, root_v_moved * root_v_moved) {
         return false;
     }
-    let swing = cell.reach_v * (root_v_moved + cell.reach_v * moved) + cell.damping_v * kick;
+    let swing = cell.vertical.reach_v * (root_v_moved + cell.vertical.reach_v * moved) + cell.vertical.damping_v * kick;
     return !forces || forces_are_final(state, false, x_most, min(y_swing, swing), energy);
 }

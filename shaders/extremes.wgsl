@@ -1,5 +1,22 @@
 // The largest and least values of a cell so far. Twin: src/stepping/extremes.rs.
 
+struct Extremes {
+    max_phi_left: real,
+    max_phi_right: real,
+    max_u: real,
+    least_v: real,
+    most_v: real,
+    min_contact: real,
+    friction: real,
+    acc_plate: real,
+    acc_block: real,
+    acc_plate_total: real,
+    acc_block_total: real,
+    base_load: real,
+    stop_force: real,
+    stop_hits: real,
+}
+
 // The values that are looked for: the largest rotations, the largest |u| and |v|, the least contact force and the
 // friction asked for.
 override angles: bool = true;
@@ -74,21 +91,21 @@ fn bend(start: real, mid: real, end: real) -> real {
 // Updates those extremes that are asked for by the motion over a span of `h` seconds.
 fn update_motion(state: ptr<function, State>, y0: Motion, y1: Motion, h: real) {
     if displacements {
-        (*state).max_u = peak((*state).max_u, y0.u, y0.du, y1.u, y1.du, h);
-        let range_v = range(Range((*state).least_v, (*state).most_v), y0.v, y0.dv, y1.v, y1.dv, h);
-        (*state).least_v = range_v.least;
-        (*state).most_v = range_v.most;
+        (*state).extremes.max_u = peak((*state).extremes.max_u, y0.u, y0.du, y1.u, y1.du, h);
+        let range_v = range(Range((*state).extremes.least_v, (*state).extremes.most_v), y0.v, y0.dv, y1.v, y1.dv, h);
+        (*state).extremes.least_v = range_v.least;
+        (*state).extremes.most_v = range_v.most;
     }
     if !angles || (*state).mode == FULL_CONTACT {
         return;
     }
     let left = (*state).mode != ROCKING_RIGHT;
-    let so_far = select((*state).max_phi_right, (*state).max_phi_left, left);
+    let so_far = select((*state).extremes.max_phi_right, (*state).extremes.max_phi_left, left);
     let angle = peak(so_far, y0.phi, y0.dphi, y1.phi, y1.dphi, h);
     if left {
-        (*state).max_phi_left = angle;
+        (*state).extremes.max_phi_left = angle;
     } else {
-        (*state).max_phi_right = angle;
+        (*state).extremes.max_phi_right = angle;
     }
 }
 
@@ -136,26 +153,26 @@ fn stop_end(cell: Cell, y: Motion, k: Rates) -> StopEnd {
     let zero: real = 0.0;
     let on = abs(stop) > 0.0;
     let force = stop_force(cell, stop, y);
-    let rate = stop * (cell.stop_stiffness * y.du + cell.stop_damping * k.ddu);
+    let rate = stop * (cell.horizontal.stop_stiffness * y.du + cell.horizontal.stop_damping * k.ddu);
     return StopEnd(select(zero, force, on), select(zero, rate, on));
 }
 
 // Updates the largest accelerations, and what the base carries, by those at a span's start, middle and end.
 fn update_accelerations(state: ptr<function, State>, start: Accelerations, mid: Accelerations, end: Accelerations) {
-    let so_far = *state;
-    (*state).acc_plate = highest(so_far.acc_plate, start.plate, mid.plate, end.plate);
-    (*state).acc_block = highest(so_far.acc_block, start.block, mid.block, end.block);
-    (*state).acc_plate_total = highest(so_far.acc_plate_total, start.plate_total, mid.plate_total, end.plate_total);
-    (*state).acc_block_total = highest(so_far.acc_block_total, start.block_total, mid.block_total, end.block_total);
-    (*state).base_load = highest(so_far.base_load, start.load, mid.load, end.load);
+    let so_far = (*state).extremes;
+    (*state).extremes.acc_plate = highest(so_far.acc_plate, start.plate, mid.plate, end.plate);
+    (*state).extremes.acc_block = highest(so_far.acc_block, start.block, mid.block, end.block);
+    (*state).extremes.acc_plate_total = highest(so_far.acc_plate_total, start.plate_total, mid.plate_total, end.plate_total);
+    (*state).extremes.acc_block_total = highest(so_far.acc_block_total, start.block_total, mid.block_total, end.block_total);
+    (*state).extremes.base_load = highest(so_far.base_load, start.load, mid.load, end.load);
 }
 
 // Updates the largest force on the end stop by that at the ends of a span of `h` seconds, and counts a base that has met it
 // there.
 fn update_stop(state: ptr<function, State>, start: StopEnd, end: StopEnd, h: real, meets: bool) {
-    (*state).stop_force = peak((*state).stop_force, start.force, start.rate, end.force, end.rate, h);
+    (*state).extremes.stop_force = peak((*state).extremes.stop_force, start.force, start.rate, end.force, end.rate, h);
     if meets {
-        (*state).stop_hits += 1.0;
+        (*state).extremes.stop_hits += 1.0;
     }
 }
 
@@ -169,21 +186,21 @@ fn share(shear: real, normal: real) -> real {
 fn update_contact(state: ptr<function, State>, start: Contact, mid: Contact, end: Contact) {
     let least = min(min(start.normal, mid.normal), end.normal);
     let lowest = least - bend(start.normal, mid.normal, end.normal);
-    if (*state).min_contact > lowest {
+    if (*state).extremes.min_contact > lowest {
         let value = min(least, crest(start.normal, mid.normal, end.normal));
-        (*state).min_contact = min((*state).min_contact, value);
+        (*state).extremes.min_contact = min((*state).extremes.min_contact, value);
     }
     let shear0 = abs(start.shear);
     let shear1 = abs(mid.shear);
     let shear2 = abs(end.shear);
     let most = max(max(shear0, shear1), shear2) + bend(shear0, shear1, shear2);
-    if most > (*state).friction * lowest {
+    if most > (*state).extremes.friction * lowest {
         let share0 = share(shear0, start.normal);
         let share1 = share(shear1, mid.normal);
         let share2 = share(shear2, end.normal);
         // Where the force turns tensile on the way there is no share at one of the three.
         let largest = max(max(share0, share1), share2);
         let top = max(largest, crest(share0, share1, share2));
-        (*state).friction = max((*state).friction, select(largest, top, least > 0.0));
+        (*state).extremes.friction = max((*state).extremes.friction, select(largest, top, least > 0.0));
     }
 }

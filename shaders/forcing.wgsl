@@ -20,7 +20,7 @@ struct Forcing {
 
 // The length of a step, s.
 fn step_length(cell: Cell, forcing: Forcing) -> real {
-    return select(cell.step_free, cell.step_forced, forcing.forced);
+    return select(cell.steps.step_free, cell.steps.step_forced, forcing.forced);
 }
 
 // Samples of the record; the tables of numbers follow, which the kernel that makes cells reads.
@@ -48,8 +48,8 @@ fn ground_at(cell: Cell, forcing: Forcing, fraction: real) -> Ground {
 fn begin_segment(cell: Cell, step: u32) -> Forcing {
     var before: Ground;
     var after: Ground;
-    if recorded && step < cell.steps_forced {
-        let sample = step / cell.substeps;
+    if recorded && step < cell.steps.steps_forced {
+        let sample = step / cell.steps.substeps;
         before = record[sample];
         after = record[sample + 1u];
     }
@@ -60,30 +60,30 @@ fn begin_segment(cell: Cell, step: u32) -> Forcing {
 fn segment(cell: Cell, step: u32, before: Ground, after: Ground) -> Forcing {
     let zero: real = 0.0;
     let none = Ground(zero, zero);
-    let amplitude = Ground(cell.amplitude_h, cell.amplitude_v);
-    if step >= cell.steps_forced {
-        let steps = min(cell.steps - step, MOST_STEPS);
-        return Forcing(zero, real(steps), zero, cell.phase_step, amplitude, none, false);
+    let amplitude = Ground(cell.drive.amplitude_h, cell.drive.amplitude_v);
+    if step >= cell.steps.steps_forced {
+        let steps = min(cell.steps.steps - step, MOST_STEPS);
+        return Forcing(zero, real(steps), zero, cell.steps.phase_step, amplitude, none, false);
     }
     if recorded {
-        let sample = step / cell.substeps;
+        let sample = step / cell.steps.substeps;
         let start = Ground(amplitude.h * before.h, amplitude.v * before.v);
         let rise = Ground(
             amplitude.h * (after.h - before.h),
             amplitude.v * (after.v - before.v),
         );
-        let first = sample * cell.substeps;
+        let first = sample * cell.steps.substeps;
         let done = real(step - first);
-        let steps = real(cell.substeps);
-        return Forcing(done, steps, zero, cell.phase_step, start, rise, true);
+        let steps = real(cell.steps.substeps);
+        return Forcing(done, steps, zero, cell.steps.phase_step, start, rise, true);
     }
     let first = step - step % MOST_STEPS;
-    let steps = min(cell.steps_forced - first, MOST_STEPS);
+    let steps = min(cell.steps.steps_forced - first, MOST_STEPS);
     return Forcing(
         real(step - first),
         real(steps),
-        real(first) * cell.phase_step,
-        cell.phase_step,
+        real(first) * cell.steps.phase_step,
+        cell.steps.phase_step,
         amplitude,
         none,
         true,

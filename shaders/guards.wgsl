@@ -79,15 +79,15 @@ fn kink_guard(of_z: bool, start: Motion, y: Motion, k: Rates, h: real) -> GuardS
 fn end_stop_guard(cell: Cell, y: Motion, k: Rates, h: real) -> GuardSample {
     let zero: real = 0.0;
     let side = side_of(y.u);
-    let pushed = cell.stop_stiffness * (side * y.u - cell.stop_gap);
+    let pushed = cell.horizontal.stop_stiffness * (side * y.u - cell.horizontal.stop_gap);
     let force = stop_force(cell, side, y);
     let value = min(pushed, force);
-    var slope = cell.stop_stiffness * side * y.du;
-    let damped = cell.stop_damping * side * k.ddu;
+    var slope = cell.horizontal.stop_stiffness * side * y.du;
+    let damped = cell.horizontal.stop_damping * side * k.ddu;
     slope = select(slope, slope + damped, pushed > force);
     let off = abs(stop) <= 0.0;
-    let damping = cell.stop_damping * abs(y.du);
-    let size = cell.stop_stiffness * (abs(y.u) + cell.stop_gap) + damping;
+    let damping = cell.horizontal.stop_damping * abs(y.du);
+    let size = cell.horizontal.stop_stiffness * (abs(y.u) + cell.horizontal.stop_gap) + damping;
     return GuardSample(
         select(-value, value, off),
         h * select(-slope, slope, off),

@@ -26,16 +26,16 @@ struct Support {
 fn support(cell: Cell, y: Motion, ground: Ground) -> Support {
     var f_h = ground.h;
     if isolated_h {
-        var spring = cell.post_yield * y.u;
+        var spring = cell.horizontal.post_yield * y.u;
         if yields {
-            spring = spring + cell.hysteretic * y.z;
+            spring = spring + cell.horizontal.hysteretic * y.z;
         }
-        f_h = -(spring + cell.damping_h * y.du);
+        f_h = -(spring + cell.horizontal.damping_h * y.du);
     }
     var f_v = ground.v + model.gravity;
     if isolated_v {
         // v is measured from the static position, where the spring carries the weight.
-        f_v = model.gravity - (cell.stiffness_v * y.v + cell.damping_v * y.dv);
+        f_v = model.gravity - (cell.vertical.stiffness_v * y.v + cell.vertical.damping_v * y.dv);
     }
     return with_devices(cell, y, ground, Support(f_h, f_v));
 }
@@ -46,13 +46,13 @@ fn with_devices(cell: Cell, y: Motion, ground: Ground, base: Support) -> Support
     var f_h = base.f_h;
     var f_v = base.f_v;
     if hardens {
-        f_v = f_v - cell.hardening_v * y.v * y.v * y.v;
+        f_v = f_v - cell.vertical.hardening_v * y.v * y.v * y.v;
     }
     if follows {
         let pressed = pressure(f_v, ground);
         let held = f_h + pendulum_slope(cell, y) * (model.gravity - pressed);
         // Without pressure the force is zero, and not the rounding error of a difference.
-        f_h = select(-(cell.damping_h * y.du), held, pressed > 0.0);
+        f_h = select(-(cell.horizontal.damping_h * y.du), held, pressed > 0.0);
     }
     if stops {
         f_h = f_h - stop * stop_force(cell, stop, y);
@@ -62,9 +62,9 @@ fn with_devices(cell: Cell, y: Motion, ground: Ground, base: Support) -> Support
 
 // The force of a pendulum over the one that presses on it: u/R_d + mu_d z.
 fn pendulum_slope(cell: Cell, y: Motion) -> real {
-    var force = cell.post_yield * y.u;
+    var force = cell.horizontal.post_yield * y.u;
     if yields {
-        force = force + cell.hysteretic * y.z;
+        force = force + cell.horizontal.hysteretic * y.z;
     }
     return force * INVERSE_GRAVITY;
 }
@@ -98,13 +98,13 @@ fn base_load(normal: real, plate: real, ground: real) -> real {
 
 // The force of the end stop over M_t against the base's displacement on a side, positive where it is compressed.
 fn stop_force(cell: Cell, side: real, y: Motion) -> real {
-    return cell.stop_damping * side * y.du + cell.stop_stiffness * (side * y.u - cell.stop_gap);
+    return cell.horizontal.stop_damping * side * y.du + cell.horizontal.stop_stiffness * (side * y.u - cell.horizontal.stop_gap);
 }
 
 // The guard of the end stop: positive where the base is beyond the gap and the stop's force is a push.
 fn stop_guard(cell: Cell, y: Motion) -> real {
     let side = side_of(y.u);
-    let pushed = cell.stop_stiffness * (side * y.u - cell.stop_gap);
+    let pushed = cell.horizontal.stop_stiffness * (side * y.u - cell.horizontal.stop_gap);
     return min(pushed, stop_force(cell, side, y));
 }
 
@@ -122,7 +122,7 @@ fn stop_side(cell: Cell, y: Motion) -> real {
 
 // dz/dt of (11) with A_h = 1 and beta_h = gamma_h = 1/2.
 fn hysteretic_rate(cell: Cell, y: Motion) -> real {
-    let rate = y.du * cell.inverse_yield;
+    let rate = y.du * cell.horizontal.inverse_yield;
     if (y.du > 0.0) != (y.z > 0.0) {
         return rate;
     }

@@ -104,5 +104,5 @@ fn wave(cell: Cell, phase: real) -> real {
     if pulse_shape == RICKER_ANTISYMMETRIC {
         return ricker_antisymmetric(phase - 2.0);
     }
-    return modulated(cell.envelope, cell.carrier, phase);
+    return modulated(cell.drive.envelope, cell.drive.carrier, phase);
 }

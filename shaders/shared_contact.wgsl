@@ -94,8 +94,8 @@ struct MotionPair {
 }
 
 // The largest friction demand before a sample, if one is known.
-fn friction_before(pair: MotionPair, cell: Cell, scale: real, sample: u32, known: real) -> real {
-    let size = abs(scale);
+fn friction_before(pair: MotionPair, cell: Cell, sample: u32, known: real) -> real {
+    let size = abs(cell.drive.scale);
     if !forces || sample == 0u {
         return known;
     }
@@ -106,7 +106,7 @@ fn friction_before(pair: MotionPair, cell: Cell, scale: real, sample: u32, known
         return select(zero, size * magnitude / y, y > 0.0);
     }
     let friction = at_samples(pair.h, pair.v, pair.last_v, size, sample, known);
-    return crests(pair, cell, scale, sample, friction);
+    return crests(pair, cell, sample, friction);
 }
 
 // The motion at a sample, and the largest displacements up to it.
@@ -130,24 +130,25 @@ fn move_to(pair: MotionPair, scale: real, sample: u32, state: ptr<function, Stat
         zero,
         zero,
     );
-    (*state).max_u = abs(scale) * motions[h + TOP * all_h];
-    (*state).least_v = motions[v + BOTTOM * all_v];
-    (*state).most_v = motions[v + TOP * all_v];
+    (*state).extremes.max_u = abs(scale) * motions[h + TOP * all_h];
+    (*state).extremes.least_v = motions[v + BOTTOM * all_v];
+    (*state).extremes.most_v = motions[v + TOP * all_v];
 }
 
 // The contact forces up to a sample whose friction demand is known.
 fn meet_forces(pair: MotionPair, sample: u32, friction: real, state: ptr<function, State>) {
-    (*state).min_contact = model.gravity;
-    (*state).friction = friction;
+    (*state).extremes.min_contact = model.gravity;
+    (*state).extremes.friction = friction;
     if forces {
         let least = motions[pair.v + min(sample, pair.last_v) + LEAST_SO_FAR * tile.up.more];
-        (*state).min_contact = min(least, model.gravity);
+        (*state).extremes.min_contact = min(least, model.gravity);
     }
 }
 
 // Takes a cell from its start to the first gap in which it may lift, to the step at which it is final, or to the end
 // of the motions. The cell is checked for being final at the same steps as in an integration of its own.
-fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, State>) {
+fn full_contact(place: Place, cell: Cell, state: ptr<function, State>) {
+    let scale = cell.drive.scale;
     let first_h = entry(tile.across, place);
     let first_v = entry(tile.up, place);
     let h = words[first_h];
@@ -162,15 +163,15 @@ fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, Stat
     let sample = first_lift(h, v, last, last_v, lever, first);
     var friction: real = 0.0;
     // A motion that is continued after the excitation has one sample per step.
-    var tried = cell.steps_forced + STEPS_A_TRY;
-    while certificate && tried <= sample && tried < cell.steps {
+    var tried = cell.steps.steps_forced + STEPS_A_TRY;
+    while certificate && tried <= sample && tried < cell.steps.steps {
         move_to(pair, scale, tried, state);
         // The contact forces are treated as if they had no extreme yet: they take longer to become known.
         let most: real = MOST;
-        (*state).friction = most;
-        (*state).min_contact = -most;
+        (*state).extremes.friction = most;
+        (*state).extremes.min_contact = -most;
         if is_final(cell, *state) {
-            friction = friction_before(pair, cell, scale, tried, friction);
+            friction = friction_before(pair, cell, tried, friction);
             meet_forces(pair, tried, friction, state);
             if is_final(cell, *state) {
                 (*state).step = tried;
@@ -180,11 +181,11 @@ fn full_contact(place: Place, scale: real, cell: Cell, state: ptr<function, Stat
         }
         tried += STEPS_A_TRY;
     }
-    friction = friction_before(pair, cell, scale, sample, friction);
+    friction = friction_before(pair, cell, sample, friction);
     move_to(pair, scale, sample, state);
     meet_forces(pair, sample, friction, state);
-    (*state).step = sample * cell.substeps;
-    if (*state).step >= cell.steps {
+    (*state).step = sample * cell.steps.substeps;
+    if (*state).step >= cell.steps.steps {
         (*state).status = FINISHED;
     }
 }

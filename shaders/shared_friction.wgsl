@@ -26,9 +26,9 @@ const OVER = 2.0e-4;
 
 // The friction demand up to a sample, crests between samples included. Where the largest |X| of a gap over its least
 // Y exceeds the largest demand so far, the demand is searched for within the gap, backwards as at the samples.
-fn crests(pair: MotionPair, cell: Cell, scale: real, sample: u32, friction_before: real) -> real {
+fn crests(pair: MotionPair, cell: Cell, sample: u32, friction_before: real) -> real {
     let over: real = 1.0 + OVER;
-    let size = abs(scale);
+    let size = abs(cell.drive.scale);
     let all_h = tile.across.more;
     let all_v = tile.up.more;
     var friction = friction_before;
@@ -42,7 +42,7 @@ fn crests(pair: MotionPair, cell: Cell, scale: real, sample: u32, friction_befor
             break;
         }
         if size * magnitude > over * friction * least_y {
-            friction = within_gap(pair, cell, scale, gap, friction);
+            friction = within_gap(pair, cell, gap, friction);
         }
     }
     return friction;
@@ -56,16 +56,16 @@ fn record_at(sample: u32) -> Ground {
 
 // The friction demand so far and within a gap, of which a cell takes the steps from the shared motions at its start.
 // They are not cut at the kinks of the Bouc-Wen law, across which z and u' are smooth enough for a gap.
-fn within_gap(pair: MotionPair, cell: Cell, scale: real, gap: u32, friction: real) -> real {
+fn within_gap(pair: MotionPair, cell: Cell, gap: u32, friction: real) -> real {
     let zero: real = 0.0;
     let half: real = 0.5;
     let one: real = 1.0;
     let corner = pivot(FULL_CONTACT);
     var state: State;
-    move_to(pair, scale, gap, &state);
-    state.friction = friction;
-    var forcing = segment(cell, gap * cell.substeps, record_at(gap), record_at(gap + 1u));
-    for (var step = 0u; step < cell.substeps; step++) {
+    move_to(pair, cell.drive.scale, gap, &state);
+    state.extremes.friction = friction;
+    var forcing = segment(cell, gap * cell.steps.substeps, record_at(gap), record_at(gap + 1u));
+    for (var step = 0u; step < cell.steps.substeps; step++) {
         let ground_mid = ground_at(cell, forcing, half);
         let ground_end = ground_at(cell, forcing, one);
         let k1 = rates(cell, corner, false, state.motion, ground_at(cell, forcing, zero));
@@ -76,5 +76,5 @@ fn within_gap(pair: MotionPair, cell: Cell, scale: real, gap: u32, friction: rea
         state.motion = stepped.y;
         forcing.done += one;
     }
-    return state.friction;
+    return state.extremes.friction;
 }

@@ -29,9 +29,9 @@ fn begin_span(
     var span = Span(1.0 - start, false);
     if stops || hardens {
         // The rate of the fastest motion: against the stop, or on the spring at its largest stiffness.
-        var rate = cell.stop_rate * abs(stop);
+        var rate = cell.horizontal.stop_rate * abs(stop);
         if hardens {
-            rate = max(rate, sqrt(cell.stiffness_v + 3.0 * cell.hardening_v * y.v * y.v));
+            rate = max(rate, sqrt(cell.vertical.stiffness_v + 3.0 * cell.vertical.hardening_v * y.v * y.v));
         }
         let limit: real = STIFF_LIMIT;
         let turned = rate * step;
@@ -42,7 +42,7 @@ fn begin_span(
     if kinks && yields {
         // z of (11) relaxes at the rate n |u'|/u_y, 1/s.
         let limit: real = YIELD_LIMIT;
-        let settling = real(bouc_wen_n) * abs(y.du) * cell.inverse_yield * step;
+        let settling = real(bouc_wen_n) * abs(y.du) * cell.horizontal.inverse_yield * step;
         if settling * span.length > limit {
             span = Span(limit / settling, true);
         }

@@ -21,7 +21,7 @@ fn land(cell: Cell, state: ptr<function, State>, forcing: Forcing, fraction: rea
     let landing = pivot(other);
     (*state).impacts += 1u;
     let rebound = abs(landing.eta_phi * y.dphi);
-    let rebounds = rebound >= cell.rest_speed && landing.eta_phi > 0.0;
+    let rebounds = rebound >= cell.steps.rest_speed && landing.eta_phi > 0.0;
     var rests = false;
     if !rebounds {
         let resting = come_to_rest(leaving, y);

@@ -174,7 +174,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         land(cell, state, (*t).forcing, fraction);
         // An impact changes u', and with it the force of the stop's damper: the push may begin there.
         if apart && abs(stop_side(cell, (*state).motion)) > 0.0 {
-            (*state).stop_hits += 1.0;
+            (*state).extremes.stop_hits += 1.0;
         }
     }
     let through = ((plain && !(*t).cut) || (moved && fraction >= 1.0)) && !overturned;
@@ -191,7 +191,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         lost = !is_finite((*state).motion);
         (*state).step += 1u;
         // The twin counts; a free segment begins where the forced steps end, or whole tries later.
-        let steps_since_check = ((*state).step - cell.steps_forced) % STEPS_A_TRY;
+        let steps_since_check = ((*state).step - cell.steps.steps_forced) % STEPS_A_TRY;
         due = due || (steps_since_check == 0u && (*state).mode == FULL_CONTACT);
     }
     if (*state).status != RUNNING {
@@ -201,7 +201,7 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
         (*state).status = EVENT_LIMIT;
     } else if lost {
         (*state).status = DIVERGED;
-    } else if (*state).step >= cell.steps {
+    } else if (*state).step >= cell.steps.steps {
         (*state).status = FINISHED;
     } else {
         if certificate && due && !(*t).forcing.forced {

@@ -45,7 +45,7 @@ fn traces_are_what_the_cells_do() {
         let count =
             |purpose| trials.iter().filter(|trial| trial.purpose() == purpose).count() as u32;
         let (numbers, begun) = all.begin(cell);
-        let steps = numbers.steps - begun.step;
+        let steps = numbers.steps.steps - begun.step;
         assert!(count(Purpose::Step) <= steps, "cell {cell}");
         // A cell leaves after no trial of a search but its last.
         let within = |trial: &&Packed| matches!(trial.purpose(), Purpose::GivenUp | Purpose::Try);

@@ -207,7 +207,7 @@ fn rows<R: Real>(plan: &Plan, case: &Case, go_on: &dyn Fn(usize) -> bool) -> (Ve
     loop {
         let goes_on = single.step();
         state = single.state();
-        if goes_on || state.step == cell.steps {
+        if goes_on || state.step == cell.steps.steps {
             rows.borrow_mut().push(row(clock.time(state.step, 0.0), deflection, &state));
         }
         if !goes_on || !go_on(rows.borrow().len()) {

@@ -25,7 +25,7 @@ fn mode_of<R: Real>(tilt: R) -> u32 {
 pub(crate) fn at_rest<R: Real>(finite: bool, tilt: R) -> State<R> {
     let mut state = State::<R>::zeroed();
     state.motion.phi = tilt;
-    state.min_contact = R::of(GRAVITY);
+    state.extremes.min_contact = R::of(GRAVITY);
     state.mode = mode_of(tilt);
     if !finite {
         state.status = DIVERGED;

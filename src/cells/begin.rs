@@ -16,14 +16,13 @@ pub fn begin<R: Real>(
     motions: Option<MotionPair<R>>,
     cell: &CellAt,
 ) -> (Cell<R>, State<R>) {
-    let groups = tables.groups(cell);
-    let cell = groups.cell();
-    let mut state = at_rest(groups.finite(), groups.drive.tilt);
+    let cell = tables.numbers(cell);
+    let mut state = at_rest(cell.finite(), cell.drive.tilt);
     if let Some(motions) = motions
         && state.status == RUNNING
     {
         let model = &tables.bodies.entries[cell.body as usize];
-        full_contact(&motions, model, groups.drive.scale, &cell, &mut state);
+        full_contact(&motions, model, &cell, &mut state);
     }
     (cell, state)
 }

@@ -7,12 +7,12 @@ use super::clock_parts::{
     ClockRule, SPAN, SWING_V, Span, SwingH, SwingV, clock_parameters, swing_parameters,
 };
 use super::contact::dependence::shared_amplitude;
-use super::groups::{Drive, Groups, Horizontal, Steps, Vertical};
 use super::listing::{CellAt, Listing};
 use super::plan::Plan;
 use super::reader::Reader;
 use super::table::Table;
 use crate::model::block::Model;
+use crate::model::excitation::{Cell, Drive, Horizontal, Steps, Vertical};
 use crate::model::real::Real;
 use crate::scene::{Case, Grid, Parameter};
 
@@ -154,16 +154,17 @@ impl<'a, R: Real> CellTables<'a, R> {
         }
     }
 
-    /// All groups of numbers of a cell.
+    /// All numbers of a cell.
     #[inline(always)]
-    pub fn groups(&self, cell: &CellAt) -> Groups<R> {
-        Groups {
+    pub fn numbers(&self, cell: &CellAt) -> Cell<R> {
+        Cell {
             horizontal: *self.horizontal.at(cell),
             vertical: *self.vertical.at(cell),
             drive: *self.drive.at(cell),
             steps: self.steps(cell),
             // A list has fewer than 2^32 bodies.
             body: self.bodies.index.of(cell) as u32,
+            padding: 0,
         }
     }
 }

@@ -7,8 +7,7 @@ use bytemuck::Zeroable;
 
 use super::body::Body;
 use super::clock::Clock;
-use crate::model::excitation::Cell;
-use crate::model::layout::pod;
+use crate::model::excitation::{Cell, Drive, Horizontal, Steps, Vertical};
 use crate::model::pulse::Modulation;
 use crate::model::real::Real;
 use crate::scene::case::PEAK;
@@ -16,99 +15,6 @@ use crate::scene::{Case, Directions, Parameter, Pulse, Shaking};
 
 /// A landing block comes to rest when its next flight would last less than a step divided by this number.
 pub const FLIGHTS_A_STEP: f64 = 32.0;
-
-/// The numbers of a cell that come from the horizontal isolation.
-#[repr(C)]
-#[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
-pub struct Horizontal<R> {
-    /// See [`Cell::post_yield`].
-    pub post_yield: R,
-    /// See [`Cell::hysteretic`].
-    pub hysteretic: R,
-    /// See [`Cell::damping_h`].
-    pub damping_h: R,
-    /// See [`Cell::inverse_yield`].
-    pub inverse_yield: R,
-    /// See [`Cell::yield_energy`].
-    pub yield_energy: R,
-    /// See [`Cell::reach_h`].
-    pub reach_h: R,
-    /// See [`Cell::stop_gap`].
-    pub stop_gap: R,
-    /// See [`Cell::stop_stiffness`].
-    pub stop_stiffness: R,
-    /// See [`Cell::stop_damping`].
-    pub stop_damping: R,
-    /// See [`Cell::stop_rate`].
-    pub stop_rate: R,
-    /// 1 where all these numbers are finite, 0 where the number type does not hold one.
-    pub finite: R,
-}
-
-/// The numbers of a cell that come from the vertical isolation.
-#[repr(C)]
-#[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
-pub struct Vertical<R> {
-    /// See [`Cell::stiffness_v`].
-    pub stiffness_v: R,
-    /// See [`Cell::damping_v`].
-    pub damping_v: R,
-    /// See [`Cell::deflection`].
-    pub deflection: R,
-    /// See [`Cell::reach_v`].
-    pub reach_v: R,
-    /// See [`Cell::hardening_v`].
-    pub hardening_v: R,
-    /// 1 where all these numbers are finite, 0 where the number type does not hold one.
-    pub finite: R,
-}
-
-/// The numbers of a cell that come from the excitation and the initial tilt.
-#[repr(C)]
-#[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
-pub struct Drive<R> {
-    /// See [`Cell::amplitude_h`].
-    pub amplitude_h: R,
-    /// See [`Cell::amplitude_v`].
-    pub amplitude_v: R,
-    /// A_h over the A_h of the shared motions of u, which are proportional to it.
-    pub scale: R,
-    /// phi at the start, rad.
-    pub tilt: R,
-    /// See [`Cell::envelope`].
-    pub envelope: R,
-    /// See [`Cell::carrier`].
-    pub carrier: R,
-    /// 1 where these numbers are finite, 0 where the number type does not hold one.
-    pub finite: R,
-}
-
-/// A cell's steps.
-#[repr(C)]
-#[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
-pub struct Steps<R> {
-    /// See [`Cell::phase_step`].
-    pub phase_step: R,
-    /// See [`Cell::step_forced`].
-    pub step_forced: R,
-    /// See [`Cell::step_free`].
-    pub step_free: R,
-    /// See [`Cell::rest_speed`].
-    pub rest_speed: R,
-    /// See [`Cell::steps_forced`].
-    pub steps_forced: u32,
-    /// See [`Cell::steps`].
-    pub steps: u32,
-    /// See [`Cell::substeps`].
-    pub substeps: u32,
-    /// 1 where all these numbers are finite, 0 where the number type does not hold one.
-    pub finite: u32,
-}
-
-pod!(Horizontal, reals: 11, words: 0);
-pod!(Vertical, reals: 6, words: 0);
-pod!(Drive, reals: 7, words: 0);
-pod!(Steps, reals: 4, words: 4);
 
 fn finite<R: Real, const N: usize>(numbers: [R; N]) -> bool {
     numbers.iter().all(|number| number.to_f64().is_finite())
@@ -241,61 +147,11 @@ impl<R: Real> Steps<R> {
     }
 }
 
-/// The groups of numbers of one cell.
-#[derive(Debug, Clone, Copy)]
-pub struct Groups<R> {
-    /// The group of the horizontal isolation.
-    pub horizontal: Horizontal<R>,
-    /// The group of the vertical isolation.
-    pub vertical: Vertical<R>,
-    /// The group of the excitation.
-    pub drive: Drive<R>,
-    /// The group of the clock.
-    pub steps: Steps<R>,
-    /// Number of the body.
-    pub body: u32,
-}
-
-impl<R: Real> Groups<R> {
-    /// The cell that has these numbers.
-    #[inline(always)]
-    pub fn cell(&self) -> Cell<R> {
-        let Groups { horizontal, vertical, drive, steps, body } = self;
-        Cell {
-            post_yield: horizontal.post_yield,
-            hysteretic: horizontal.hysteretic,
-            damping_h: horizontal.damping_h,
-            inverse_yield: horizontal.inverse_yield,
-            stiffness_v: vertical.stiffness_v,
-            damping_v: vertical.damping_v,
-            amplitude_h: drive.amplitude_h,
-            amplitude_v: drive.amplitude_v,
-            phase_step: steps.phase_step,
-            step_forced: steps.step_forced,
-            step_free: steps.step_free,
-            rest_speed: steps.rest_speed,
-            yield_energy: horizontal.yield_energy,
-            deflection: vertical.deflection,
-            reach_h: horizontal.reach_h,
-            reach_v: vertical.reach_v,
-            envelope: drive.envelope,
-            carrier: drive.carrier,
-            stop_gap: horizontal.stop_gap,
-            stop_stiffness: horizontal.stop_stiffness,
-            stop_damping: horizontal.stop_damping,
-            stop_rate: horizontal.stop_rate,
-            hardening_v: vertical.hardening_v,
-            steps_forced: steps.steps_forced,
-            steps: steps.steps,
-            substeps: steps.substeps,
-            body: *body,
-        }
-    }
-
-    /// False where the number type cannot hold one of the numbers of the cell.
+impl<R: Real> Cell<R> {
+    /// False where the number type cannot hold one of its numbers.
     #[inline(always)]
     pub fn finite(&self) -> bool {
-        let Groups { horizontal, vertical, drive, steps, .. } = self;
+        let Cell { horizontal, vertical, drive, steps, .. } = self;
         let zero = R::of(0.0);
         horizontal.finite > zero
             && vertical.finite > zero

@@ -10,14 +10,13 @@ use super::body::{Body, body_parameters};
 use super::clock::{Clock, Resolution};
 use super::clock_parts::ClockRule;
 use super::contact::motion_cache::MotionCache;
-use super::groups::{Drive, Groups, Horizontal, Steps, Vertical};
 use super::laws::Laws;
 use super::reader::Reader;
 use super::samples::Samples;
 use super::shortcuts::Shortcuts;
 use crate::model::asked::Asked;
 use crate::model::block::Model;
-use crate::model::excitation::{Cell, Ground};
+use crate::model::excitation::{Cell, Drive, Ground, Horizontal, Steps, Vertical};
 use crate::model::isolation::Variant;
 use crate::model::precision::Precision;
 use crate::model::pulse::Shape;
@@ -250,15 +249,15 @@ impl Plan {
         let case = self.locked(case);
         let body = Body::of(&case);
         let omega = self.clock_rule().span(&case).omega;
-        let groups = Groups {
+        let cell = Cell {
             horizontal: Horizontal::of(&case, &body),
             vertical: Vertical::of(&case, &body),
             drive: Drive::of(&case, None),
             steps: Steps::of(omega, &self.clock(&case), body.fall()),
             body: 0,
+            padding: 0,
         };
-        let cell = groups.cell();
-        let state = at_rest(groups.finite(), groups.drive.tilt);
+        let state = at_rest(cell.finite(), cell.drive.tilt);
         (cell, state)
     }
 

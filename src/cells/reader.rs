@@ -41,7 +41,8 @@ impl Reader {
     /// The outcome of a cell of this clock whose last state is `state`; what was not looked for is not a number.
     #[inline]
     pub fn outcome<R: Real>(&self, clock: &Clock, state: &State<R>) -> Outcome {
-        let (left, right) = (state.max_phi_left.to_f64(), state.max_phi_right.to_f64());
+        let extremes = &state.extremes;
+        let (left, right) = (extremes.max_phi_left.to_f64(), extremes.max_phi_right.to_f64());
         let stood = state.uplifts == 0 && !self.tilted;
         let stands = if stood { Class::FullContact } else { Class::Rocking };
         let (mut class, mut status) = match state.status {
@@ -59,7 +60,7 @@ impl Reader {
         if class.overturned() {
             zeta = 1.0;
         }
-        let (least_v, most_v) = (state.least_v.to_f64(), state.most_v.to_f64());
+        let (least_v, most_v) = (extremes.least_v.to_f64(), extremes.most_v.to_f64());
         let max_v = (least_v - self.deflection).abs().max((most_v - self.deflection).abs());
         let reached = clock.time(state.step, state.end_fraction.to_f64());
         let ended = matches!(state.status, FINISHED | PROVED);
@@ -79,20 +80,20 @@ impl Reader {
             zeta: known(angles, zeta),
             max_phi_left: known(angles, left),
             max_phi_right: known(angles, right),
-            max_u: known(displacements, state.max_u.to_f64()),
+            max_u: known(displacements, extremes.max_u.to_f64()),
             max_v: known(displacements, rounded(max_v)),
             stroke_v: known(displacements, most_v.max(-least_v)),
-            min_contact: known(forces, state.min_contact.to_f64()),
-            friction: known(forces, state.friction.to_f64()),
+            min_contact: known(forces, extremes.min_contact.to_f64()),
+            friction: known(forces, extremes.friction.to_f64()),
             status,
-            acc_plate: known(accelerations, state.acc_plate.to_f64()),
-            acc_block: known(accelerations, state.acc_block.to_f64()),
-            acc_plate_total: known(accelerations, state.acc_plate_total.to_f64()),
-            acc_block_total: known(accelerations, state.acc_block_total.to_f64()),
-            base_load: known(accelerations, rounded(mass * state.base_load.to_f64())),
-            stop_force: known(stops, rounded(carried * state.stop_force.to_f64())),
+            acc_plate: known(accelerations, extremes.acc_plate.to_f64()),
+            acc_block: known(accelerations, extremes.acc_block.to_f64()),
+            acc_plate_total: known(accelerations, extremes.acc_plate_total.to_f64()),
+            acc_block_total: known(accelerations, extremes.acc_block_total.to_f64()),
+            base_load: known(accelerations, rounded(mass * extremes.base_load.to_f64())),
+            stop_force: known(stops, rounded(carried * extremes.stop_force.to_f64())),
             // A whole number, far below 2^32.
-            stop_hits: state.stop_hits.to_f64() as u32,
+            stop_hits: extremes.stop_hits.to_f64() as u32,
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use bytemuck::Zeroable;
 
-use super::layout::{pod, reals};
+use super::layout::{nested, pod, reals};
 
 /// The block stands on both corners.
 pub const FULL_CONTACT: u32 = 0;
@@ -81,35 +81,10 @@ pub struct Model<R> {
     pub padding_1: R,
 }
 
-macro_rules! model {
-    ($($field:ident)+) => {
-        impl<R: Copy> Model<R> {
-            /// The same model in another number type: each number is made from the number in its place.
-            #[inline(always)]
-            pub fn map<Q>(&self, make: impl Fn(R) -> Q) -> Model<Q> {
-                Model {
-                    left: self.left.map(&make),
-                    right: self.right.map(&make),
-                    $($field: make(self.$field),)+
-                }
-            }
-
-            /// Changes each number by means of the number in the same place of another model.
-            #[inline(always)]
-            pub fn take<Q: Copy>(&mut self, from: &Model<Q>, mut change: impl FnMut(&mut R, Q)) {
-                for (to, from) in [(&mut self.left, &from.left), (&mut self.right, &from.right)] {
-                    for (to, from) in to.reals_mut().into_iter().zip(from.reals()) {
-                        change(to, from);
-                    }
-                }
-                $(change(&mut self.$field, from.$field);)+
-            }
-        }
-    };
-}
-model!(
+nested!(
+    Model, left right;
     height mu_h mu_v gravity inverse_mu_h inverse_mu_v least_arm topple_energy impact_gain normal_share
-    normal_by_shear normal_by_turn shear_by_normal shear_by_turn padding_0 padding_1
+    normal_by_shear normal_by_turn shear_by_normal shear_by_turn padding_0 padding_1;
 );
 
 /// The corner about which the block turns in a rocking mode. In full contact it is the left corner, and nothing reads

@@ -83,16 +83,17 @@ pub fn support<R: Number>(set: &CellEquations<R>, y: &Motion<R>, ground: Ground<
     let (variant, cell) = (set.variant, set.cell);
     let mut f_h = ground.h;
     if variant.isolated_h {
-        let mut spring = cell.post_yield * y.u;
+        let mut spring = cell.horizontal.post_yield * y.u;
         if variant.yields {
-            spring = cell.hysteretic.mul_add(y.z, spring);
+            spring = cell.horizontal.hysteretic.mul_add(y.z, spring);
         }
-        f_h = -cell.damping_h.mul_add(y.du, spring);
+        f_h = -cell.horizontal.damping_h.mul_add(y.du, spring);
     }
     let mut f_v = ground.v + set.model.gravity;
     if variant.isolated_v {
         // v is measured from the static position, where the spring carries the weight.
-        f_v = set.model.gravity - cell.damping_v.mul_add(y.dv, cell.stiffness_v * y.v);
+        f_v = set.model.gravity
+            - cell.vertical.damping_v.mul_add(y.dv, cell.vertical.stiffness_v * y.v);
     }
     if variant.devices {
         return with_devices(set, y, ground, Support { f_h, f_v });
@@ -111,14 +112,14 @@ fn with_devices<R: Number>(
     let Support { mut f_h, mut f_v } = base;
     let zero = y.u.like(0.0);
     if set.variant.hardens {
-        f_v = f_v - set.cell.hardening_v * y.v * y.v * y.v;
+        f_v = f_v - set.cell.vertical.hardening_v * y.v * y.v * y.v;
     }
     if set.variant.follows {
         let pressed = pressure(set, f_v, ground);
         let held = pendulum_slope(set, y).mul_add(set.model.gravity - pressed, f_h);
         // Without pressure the force is zero, and not the rounding error of a difference: where the contact force of the block
         // vanishes, too, that error would decide about which corner it lifts.
-        f_h = R::select(pressed.gt(zero), held, -(set.cell.damping_h * y.du));
+        f_h = R::select(pressed.gt(zero), held, -(set.cell.horizontal.damping_h * y.du));
     }
     if let Some(side) = set.stop {
         f_h = f_h - *side * stop_force(set, *side, y);
@@ -130,9 +131,9 @@ fn with_devices<R: Number>(
 #[inline(always)]
 pub fn pendulum_slope<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
     let cell = set.cell;
-    let mut force = cell.post_yield * y.u;
+    let mut force = cell.horizontal.post_yield * y.u;
     if set.variant.yields {
-        force = cell.hysteretic.mul_add(y.z, force);
+        force = cell.horizontal.hysteretic.mul_add(y.z, force);
     }
     force * y.u.like(INVERSE_GRAVITY)
 }
@@ -175,14 +176,16 @@ pub fn base_load<R: Number>(set: &CellEquations<R>, normal: R, plate: R, ground:
 #[inline(always)]
 pub fn stop_force<R: Number>(set: &CellEquations<R>, side: R, y: &Motion<R>) -> R {
     let cell = set.cell;
-    cell.stop_stiffness.mul_add(side * y.u - cell.stop_gap, cell.stop_damping * side * y.du)
+    cell.horizontal
+        .stop_stiffness
+        .mul_add(side * y.u - cell.horizontal.stop_gap, cell.horizontal.stop_damping * side * y.du)
 }
 
 /// The guard of the end stop: positive where the base is beyond the gap and the stop's force is a push, m/s^2.
 #[inline(always)]
 pub fn stop_guard<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
     let side = side_of(y.u);
-    let pushed = set.cell.stop_stiffness * (side * y.u - set.cell.stop_gap);
+    let pushed = set.cell.horizontal.stop_stiffness * (side * y.u - set.cell.horizontal.stop_gap);
     pushed.min(stop_force(set, side, y))
 }
 
@@ -206,7 +209,7 @@ pub fn stop_side<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
 #[inline(always)]
 pub fn hysteretic_rate<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
     let zero = y.du.like(0.0);
-    let rate = y.du * set.cell.inverse_yield;
+    let rate = y.du * set.cell.horizontal.inverse_yield;
     let forward = y.du.gt(zero);
     let ahead = y.z.gt(zero);
     let together = (forward & ahead) | !(forward | ahead);

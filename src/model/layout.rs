@@ -14,9 +14,9 @@ macro_rules! pod {
 pub(crate) use pod;
 
 /// Gives access to the reals of a struct in their order: to read them, to write them, or to make each anew. The words
-/// of the struct are copied unchanged.
+/// of the struct are copied unchanged; of reals after a bar, which no equation has, each is only made anew.
 macro_rules! reals {
-    ($name:ident, $count:expr, $($field:ident)+ $(; $($word:ident)+)?) => {
+    ($name:ident, $count:expr, $($field:ident)+ $(; $($word:ident)+)? $(| $($other:ident)+)?) => {
         impl<R: Copy> $name<R> {
             /// Copies of all reals, in order.
             #[inline(always)]
@@ -39,7 +39,11 @@ macro_rules! reals {
             /// The same struct in another number type: each number is made from the number in its place.
             #[inline(always)]
             pub fn map<Q>(&self, make: impl Fn(R) -> Q) -> $name<Q> {
-                $name { $($field: make(self.$field),)+ $($($word: self.$word,)+)? }
+                $name {
+                    $($field: make(self.$field),)+
+                    $($($word: self.$word,)+)?
+                    $($($other: make(self.$other),)+)?
+                }
             }
 
             /// The same struct, each number made from the two numbers in its place.
@@ -48,9 +52,37 @@ macro_rules! reals {
                 $name {
                     $($field: make(self.$field, other.$field),)+
                     $($($word: self.$word,)+)?
+                    $($($other: make(self.$other, other.$other),)+)?
                 }
             }
         }
     };
 }
 pub(crate) use reals;
+
+/// The same for a struct that holds such structs, then reals of its own, then words.
+macro_rules! nested {
+    ($name:ident, $($part:ident)+; $($field:ident)*; $($word:ident)*) => {
+        impl<R: Copy> $name<R> {
+            /// The same struct in another number type: each number is made from the number in its place.
+            #[inline(always)]
+            pub fn map<Q>(&self, make: impl Fn(R) -> Q) -> $name<Q> {
+                $name {
+                    $($part: self.$part.map(&make),)+
+                    $($field: make(self.$field),)*
+                    $($word: self.$word,)*
+                }
+            }
+
+            /// Changes each real by means of the real in the same place of another.
+            #[inline(always)]
+            pub fn take<Q: Copy>(&mut self, from: &$name<Q>, mut change: impl FnMut(&mut R, Q)) {
+                $(for (to, from) in self.$part.reals_mut().into_iter().zip(from.$part.reals()) {
+                    change(to, from);
+                })+
+                $(change(&mut self.$field, from.$field);)*
+            }
+        }
+    };
+}
+pub(crate) use nested;

@@ -179,7 +179,7 @@ fn modulated<N: Number>(envelope: N, carrier: N, phase: N) -> N {
 pub fn wave<V: Vector>((shape, cycles): (Shape, bool), cell: &Cell<V>, phase: V) -> V {
     match shape {
         Shape::OneSine | Shape::HalfSine if !cycles => V::pulse_sine(phase),
-        _ => other_wave(shape, (cell.envelope, cell.carrier), phase),
+        _ => other_wave(shape, (cell.drive.envelope, cell.drive.carrier), phase),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Beside which choices of a scene a number means something: a column of the parameter table. What a scene refuses, what
 //! the page hides and what the page's own engine refuses is read from it; in the page by
-//! `crates/explore/src/page/choices.js`. What is refused, here and there: `crates/app/tests/app/exported.rs`.
+//! `crates/explore/src/page/choices.js`. What is refused, here and there: `crates/explore/tests/explore/exported.rs`.
 
 use serde::Serialize;
 

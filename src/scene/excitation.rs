@@ -79,17 +79,16 @@ pub struct RecordText {
 impl RecordText {
     /// The first key that is given; `horizontal` where none is.
     pub fn first_key(&self) -> &'static str {
-        match self {
-            RecordText { horizontal: None, vertical: Some(_), .. } => "vertical",
-            RecordText { horizontal: None, horizontal_channel: Some(_), .. } => {
-                "horizontal_channel"
-            }
-            RecordText { horizontal: None, vertical_channel: Some(_), .. } => "vertical_channel",
-            RecordText { horizontal: None, dt: Some(_), .. } => "dt",
-            RecordText { horizontal: None, units: Some(_), .. } => "units",
-            RecordText { horizontal: None, .. } => self.treated_key().unwrap_or("horizontal"),
-            _ => "horizontal",
-        }
+        let given = [
+            ("horizontal", self.horizontal.is_some()),
+            ("vertical", self.vertical.is_some()),
+            ("horizontal_channel", self.horizontal_channel.is_some()),
+            ("vertical_channel", self.vertical_channel.is_some()),
+            ("dt", self.dt.is_some()),
+            ("units", self.units.is_some()),
+        ];
+        let first = given.into_iter().find(|(_, given)| *given).map(|(key, _)| key);
+        first.or_else(|| self.treated_key()).unwrap_or("horizontal")
     }
 
     /// The first key that makes another motion of the record, where one is given.
@@ -142,26 +141,19 @@ impl RecordText {
     /// # Errors
     /// A file that is not there, or has changed, and what to do.
     pub fn found(record: &Provenance, folders: &[&Path]) -> Result<RecordText, String> {
+        let place =
+            |file: &Option<RecordFile>| file.as_ref().map(|file| file.find(folders)).transpose();
+        let channel =
+            |file: &Option<RecordFile>| file.as_ref().and_then(|file| file.channel.clone());
         Ok(RecordText {
             horizontal: Some(record.horizontal.find(folders)?),
-            vertical: record.vertical.as_ref().map(|file| file.find(folders)).transpose()?,
+            vertical: place(&record.vertical)?,
             horizontal_channel: record.horizontal.channel.clone(),
-            vertical_channel: record.vertical.as_ref().and_then(|file| file.channel.clone()),
-            horizontal_2: record
-                .horizontal_2
-                .as_ref()
-                .map(|file| file.find(folders))
-                .transpose()?,
-            horizontal_2_channel: record
-                .horizontal_2
-                .as_ref()
-                .and_then(|file| file.channel.clone()),
-            join: record.join.as_ref().map(|file| file.find(folders)).transpose()?,
-            join_vertical: record
-                .join_vertical
-                .as_ref()
-                .map(|file| file.find(folders))
-                .transpose()?,
+            vertical_channel: channel(&record.vertical),
+            horizontal_2: place(&record.horizontal_2)?,
+            horizontal_2_channel: channel(&record.horizontal_2),
+            join: place(&record.join)?,
+            join_vertical: place(&record.join_vertical)?,
             treatment: record.treatment,
             dt: record.dt,
             units: record.units,

@@ -1,7 +1,6 @@
 //! Scene files, read and written: the sections' keys are the parameters of the table, and a few that are no numbers.
 
 use std::fmt;
-use std::path::PathBuf;
 
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, Visitor};
 use serde::ser::{SerializeMap, Serializer};
@@ -17,108 +16,104 @@ use super::values::Values;
 #[derive(Clone, Copy)]
 enum Key {
     Number(Parameter),
-    Word(Word),
+    /// One of [`WORDS`].
+    Word(&'static str),
 }
 
-/// A key that is no number of the table. What reads and what writes a scene has a case of each: the compiler asks for
-/// that of a new one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Word {
-    Object,
-    Isolation,
-    Pressure,
-    Shape,
-    Horizontal,
-    Vertical,
-    HorizontalChannel,
-    VerticalChannel,
-    Dt,
-    Units,
-    Horizontal2,
-    Horizontal2Channel,
-    Azimuth,
-    HorizontalAzimuth,
-    Horizontal2Azimuth,
-    Join,
-    JoinVertical,
-    JoinGap,
-    FloorPeriod,
-    FloorDamping,
-    FloorFactor,
-    Baseline,
-    Overturn,
-    Force,
-    X,
-    Y,
+/// What is done with the place of a key: of the scene, of its record, of a path of the record, or of a switch.
+macro_rules! place {
+    (read $scene:ident $map:ident scene $($field:ident).+) => {
+        $scene.$($field).+ = Some($map.next_value()?)
+    };
+    (read $scene:ident $map:ident record $($field:ident).+) => {
+        $scene.record.get_or_insert_default().$($field).+ = Some($map.next_value()?)
+    };
+    (read $scene:ident $map:ident path $field:ident) => {
+        $scene.record.get_or_insert_default().$field = Some($map.next_value::<PathText>()?.0)
+    };
+    (read $scene:ident $map:ident switch $field:ident) => { $scene.$field = $map.next_value()? };
+    (value $scene:ident scene $($field:ident).+) => { &$scene.$($field).+ };
+    (value $scene:ident record $($field:ident).+) => {
+        &$scene.record.as_ref().and_then(|record| record.$($field).+.as_ref())
+    };
+    (value $scene:ident path $field:ident) => {
+        &$scene.record.as_ref().and_then(|record| record.$field.clone()).map(PathText)
+    };
+    (value $scene:ident switch $field:ident) => { &$scene.$field.then_some(true) };
 }
 
-impl Word {
-    /// Those of a section.
-    fn of_section(section: Section) -> &'static [Word] {
-        match section {
-            Section::Block => &[Word::Object],
-            Section::Base => &[Word::Isolation, Word::Pressure],
-            Section::Pulse => &[Word::Shape],
-            Section::Record => &[
-                Word::Horizontal,
-                Word::Vertical,
-                Word::HorizontalChannel,
-                Word::VerticalChannel,
-                Word::Dt,
-                Word::Units,
-                Word::Horizontal2,
-                Word::Horizontal2Channel,
-                Word::Azimuth,
-                Word::HorizontalAzimuth,
-                Word::Horizontal2Azimuth,
-                Word::Join,
-                Word::JoinVertical,
-                Word::JoinGap,
-                Word::FloorPeriod,
-                Word::FloorDamping,
-                Word::FloorFactor,
-                Word::Baseline,
-            ],
-            Section::Run => &[Word::Overturn, Word::Force, Word::X, Word::Y],
-        }
-    }
+/// The keys that are no numbers of the table, each with its section and its place.
+macro_rules! keys {
+    ($($section:ident $key:literal: $kind:ident $($field:ident).+;)*) => {
+        const WORDS: &[(Section, &str)] = &[$((Section::$section, $key)),*];
 
-    /// As a file has it.
-    fn key(self) -> &'static str {
-        match self {
-            Word::Object => "object",
-            Word::Isolation => "isolation",
-            Word::Pressure => "pressure",
-            Word::Shape => "shape",
-            Word::Horizontal => "horizontal",
-            Word::Vertical => "vertical",
-            Word::HorizontalChannel => "horizontal_channel",
-            Word::VerticalChannel => "vertical_channel",
-            Word::Dt => "dt",
-            Word::Units => "units",
-            Word::Horizontal2 => "horizontal_2",
-            Word::Horizontal2Channel => "horizontal_2_channel",
-            Word::Azimuth => "azimuth",
-            Word::HorizontalAzimuth => "horizontal_azimuth",
-            Word::Horizontal2Azimuth => "horizontal_2_azimuth",
-            Word::Join => "join",
-            Word::JoinVertical => "join_vertical",
-            Word::JoinGap => "join_gap",
-            Word::FloorPeriod => "floor_period",
-            Word::FloorDamping => "floor_damping",
-            Word::FloorFactor => "floor_factor",
-            Word::Baseline => "baseline",
-            Word::Overturn => "overturn",
-            Word::Force => "force",
-            Word::X => "x",
-            Word::Y => "y",
+        /// Reads the value of a word into its place.
+        fn read<'de, A: MapAccess<'de>>(
+            word: &str,
+            scene: &mut SceneBuilder,
+            map: &mut A,
+        ) -> Result<(), A::Error> {
+            match word {
+                $($key => place!(read scene map $kind $($field).+),)*
+                _ => {}
+            }
+            Ok(())
         }
-    }
+
+        /// True of a word that has a value.
+        fn is_given(word: &str, scene: &SceneBuilder) -> bool {
+            match word {
+                $($key => place!(value scene $kind $($field).+).is_some(),)*
+                _ => false,
+            }
+        }
+
+        /// Writes the value of a word, if it has one.
+        fn write<M: SerializeMap>(
+            word: &str,
+            scene: &SceneBuilder,
+            map: &mut M,
+        ) -> Result<(), M::Error> {
+            match word {
+                $($key => entry(map, word, place!(value scene $kind $($field).+)),)*
+                _ => Ok(()),
+            }
+        }
+    };
+}
+
+keys! {
+    Block "object": scene object;
+    Base "isolation": scene isolation;
+    Base "pressure": scene pressure;
+    Pulse "shape": scene shape;
+    Record "horizontal": path horizontal;
+    Record "vertical": path vertical;
+    Record "horizontal_channel": record horizontal_channel;
+    Record "vertical_channel": record vertical_channel;
+    Record "dt": record dt;
+    Record "units": record units;
+    Record "horizontal_2": path horizontal_2;
+    Record "horizontal_2_channel": record horizontal_2_channel;
+    Record "azimuth": record treatment.azimuth;
+    Record "horizontal_azimuth": record treatment.horizontal_azimuth;
+    Record "horizontal_2_azimuth": record treatment.horizontal_2_azimuth;
+    Record "join": path join;
+    Record "join_vertical": path join_vertical;
+    Record "join_gap": record treatment.join_gap;
+    Record "floor_period": record treatment.floor_period;
+    Record "floor_damping": record treatment.floor_damping;
+    Record "floor_factor": record treatment.floor_factor;
+    Record "baseline": record treatment.baseline;
+    Run "overturn": scene overturn;
+    Run "force": switch force;
+    Run "x": scene x;
+    Run "y": scene y;
 }
 
 /// The keys of a section that are no numbers of the table.
 pub fn words(section: Section) -> Vec<&'static str> {
-    Word::of_section(section).iter().map(|word| word.key()).collect()
+    WORDS.iter().filter(|(of, _)| *of == section).map(|(_, word)| *word).collect()
 }
 
 /// Reads a key that must be known.
@@ -151,11 +146,6 @@ impl<T: Copy> Visitor<'_> for Known<T> {
     }
 }
 
-/// The record's files.
-fn files(scene: &mut SceneBuilder) -> &mut RecordText {
-    scene.record.get_or_insert_default()
-}
-
 /// Reads a section into a scene.
 struct Fill<'a>(&'a mut SceneBuilder, Section);
 
@@ -177,8 +167,7 @@ impl<'de> Visitor<'de> for Fill<'_> {
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
         let Fill(scene, section) = self;
         let keys = || {
-            let words = Word::of_section(section).iter();
-            let words = words.map(|word| (word.key(), Key::Word(*word)));
+            let words = words(section).into_iter().map(|word| (word, Key::Word(word)));
             let numbers = Parameter::of_section(section);
             words.chain(numbers.map(|number| (number.key(), Key::Number(number)))).collect()
         };
@@ -187,64 +176,7 @@ impl<'de> Visitor<'de> for Fill<'_> {
                 Key::Number(parameter) => {
                     scene.numbers.set(parameter, map.next_value::<Values>()?);
                 }
-                Key::Word(Word::Object) => scene.object = Some(map.next_value()?),
-                Key::Word(Word::Isolation) => scene.isolation = Some(map.next_value()?),
-                Key::Word(Word::Pressure) => scene.pressure = Some(map.next_value()?),
-                Key::Word(Word::Overturn) => scene.overturn = Some(map.next_value()?),
-                Key::Word(Word::Shape) => scene.shape = Some(map.next_value()?),
-                Key::Word(Word::Horizontal) => {
-                    files(scene).horizontal = Some(map.next_value::<PathText>()?.0);
-                }
-                Key::Word(Word::Vertical) => {
-                    files(scene).vertical = Some(map.next_value::<PathText>()?.0);
-                }
-                Key::Word(Word::HorizontalChannel) => {
-                    files(scene).horizontal_channel = Some(map.next_value()?);
-                }
-                Key::Word(Word::VerticalChannel) => {
-                    files(scene).vertical_channel = Some(map.next_value()?);
-                }
-                Key::Word(Word::Dt) => files(scene).dt = Some(map.next_value()?),
-                Key::Word(Word::Units) => files(scene).units = Some(map.next_value()?),
-                Key::Word(Word::Horizontal2) => {
-                    files(scene).horizontal_2 = Some(map.next_value::<PathText>()?.0);
-                }
-                Key::Word(Word::Horizontal2Channel) => {
-                    files(scene).horizontal_2_channel = Some(map.next_value()?);
-                }
-                Key::Word(Word::Azimuth) => {
-                    files(scene).treatment.azimuth = Some(map.next_value()?);
-                }
-                Key::Word(Word::HorizontalAzimuth) => {
-                    files(scene).treatment.horizontal_azimuth = Some(map.next_value()?);
-                }
-                Key::Word(Word::Horizontal2Azimuth) => {
-                    files(scene).treatment.horizontal_2_azimuth = Some(map.next_value()?);
-                }
-                Key::Word(Word::Join) => {
-                    files(scene).join = Some(map.next_value::<PathText>()?.0);
-                }
-                Key::Word(Word::JoinVertical) => {
-                    files(scene).join_vertical = Some(map.next_value::<PathText>()?.0);
-                }
-                Key::Word(Word::JoinGap) => {
-                    files(scene).treatment.join_gap = Some(map.next_value()?);
-                }
-                Key::Word(Word::FloorPeriod) => {
-                    files(scene).treatment.floor_period = Some(map.next_value()?);
-                }
-                Key::Word(Word::FloorDamping) => {
-                    files(scene).treatment.floor_damping = Some(map.next_value()?);
-                }
-                Key::Word(Word::FloorFactor) => {
-                    files(scene).treatment.floor_factor = Some(map.next_value()?);
-                }
-                Key::Word(Word::Baseline) => {
-                    files(scene).treatment.baseline = Some(map.next_value()?);
-                }
-                Key::Word(Word::Force) => scene.force = map.next_value()?,
-                Key::Word(Word::X) => scene.x = Some(map.next_value()?),
-                Key::Word(Word::Y) => scene.y = Some(map.next_value()?),
+                Key::Word(word) => read(word, scene, &mut map)?,
             }
         }
         Ok(())
@@ -293,15 +225,8 @@ impl Written<'_> {
     /// True where the file needs it.
     fn is_needed(&self) -> bool {
         let Written(scene, section) = *self;
-        let words = match section {
-            Section::Block => scene.object.is_some(),
-            Section::Base => scene.isolation.is_some() || scene.pressure.is_some(),
-            Section::Pulse => scene.shape.is_some(),
-            Section::Record => scene.record.is_some(),
-            Section::Run => {
-                scene.overturn.is_some() || scene.force || scene.x.is_some() || scene.y.is_some()
-            }
-        };
+        let words = section == Section::Record && scene.record.is_some()
+            || words(section).into_iter().any(|word| is_given(word, scene));
         words || Parameter::of_section(section).any(|parameter| scene.numbers.has(parameter))
     }
 }
@@ -318,43 +243,9 @@ fn entry<M: SerializeMap>(
 impl Serialize for Written<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let Written(scene, section) = *self;
-        let record = scene.record.clone().unwrap_or_default();
         let mut map = serializer.serialize_map(None)?;
-        let file = |path: Option<PathBuf>| path.map(PathText);
-        for word in Word::of_section(section) {
-            let key = word.key();
-            match word {
-                Word::Object => entry(&mut map, key, &scene.object)?,
-                Word::Isolation => entry(&mut map, key, &scene.isolation)?,
-                Word::Pressure => entry(&mut map, key, &scene.pressure)?,
-                Word::Overturn => entry(&mut map, key, &scene.overturn)?,
-                Word::Shape => entry(&mut map, key, &scene.shape)?,
-                Word::Horizontal => entry(&mut map, key, &file(record.horizontal.clone()))?,
-                Word::Vertical => entry(&mut map, key, &file(record.vertical.clone()))?,
-                Word::HorizontalChannel => entry(&mut map, key, &record.horizontal_channel)?,
-                Word::VerticalChannel => entry(&mut map, key, &record.vertical_channel)?,
-                Word::Dt => entry(&mut map, key, &record.dt)?,
-                Word::Units => entry(&mut map, key, &record.units)?,
-                Word::Horizontal2 => entry(&mut map, key, &file(record.horizontal_2.clone()))?,
-                Word::Horizontal2Channel => entry(&mut map, key, &record.horizontal_2_channel)?,
-                Word::Azimuth => entry(&mut map, key, &record.treatment.azimuth)?,
-                Word::HorizontalAzimuth => {
-                    entry(&mut map, key, &record.treatment.horizontal_azimuth)?
-                }
-                Word::Horizontal2Azimuth => {
-                    entry(&mut map, key, &record.treatment.horizontal_2_azimuth)?
-                }
-                Word::Join => entry(&mut map, key, &file(record.join.clone()))?,
-                Word::JoinVertical => entry(&mut map, key, &file(record.join_vertical.clone()))?,
-                Word::JoinGap => entry(&mut map, key, &record.treatment.join_gap)?,
-                Word::FloorPeriod => entry(&mut map, key, &record.treatment.floor_period)?,
-                Word::FloorDamping => entry(&mut map, key, &record.treatment.floor_damping)?,
-                Word::FloorFactor => entry(&mut map, key, &record.treatment.floor_factor)?,
-                Word::Baseline => entry(&mut map, key, &record.treatment.baseline)?,
-                Word::Force => entry(&mut map, key, &scene.force.then_some(true))?,
-                Word::X => entry(&mut map, key, &scene.x)?,
-                Word::Y => entry(&mut map, key, &scene.y)?,
-            }
+        for word in words(section) {
+            write(word, scene, &mut map)?;
         }
         let own =
             scene.numbers.iter().filter(|(parameter, _)| parameter.entry().section == section);

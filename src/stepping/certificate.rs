@@ -56,9 +56,9 @@ pub(super) fn base_energy_h<N: Number>(set: &CellEquations<N>, y: &Motion<N>) ->
     if !variant.isolated_h {
         return y.u.like(0.0);
     }
-    let base_h = y.du * y.du + cell.post_yield * y.u * y.u;
+    let base_h = y.du * y.du + cell.horizontal.post_yield * y.u * y.u;
     if variant.yields {
-        return base_h + cell.yield_energy * y.z * y.z;
+        return base_h + cell.horizontal.yield_energy * y.z * y.z;
     }
     base_h
 }
@@ -70,9 +70,9 @@ pub(super) fn base_energy_v<N: Number>(set: &CellEquations<N>, y: &Motion<N>) ->
         return y.u.like(0.0);
     }
     let square = y.v * y.v;
-    let linear = y.dv * y.dv + set.cell.stiffness_v * square;
+    let linear = y.dv * y.dv + set.cell.vertical.stiffness_v * square;
     if set.variant.hardens {
-        return linear + y.v.like(0.5) * set.cell.hardening_v * square * square;
+        return linear + y.v.like(0.5) * set.cell.vertical.hardening_v * square * square;
     }
     linear
 }
@@ -80,16 +80,16 @@ pub(super) fn base_energy_v<N: Number>(set: &CellEquations<N>, y: &Motion<N>) ->
 /// The most of |X|, in full contact, for twice an energy over M_t that is left to it, by Cauchy's inequality.
 #[inline(always)]
 pub(super) fn most_x<N: Number>(set: &CellEquations<N>, root_h: N) -> N {
-    set.cell.reach_h * root_h
+    set.cell.horizontal.reach_h * root_h
 }
 
 /// The same of |Y - g|; `root_v` is the root of twice an energy over M_v.
 #[inline(always)]
 pub(super) fn most_y<N: Number>(set: &CellEquations<N>, root_v: N) -> N {
-    let swing = set.cell.reach_v * root_v;
+    let swing = set.cell.vertical.reach_v * root_v;
     if set.variant.hardens {
-        let ratio = root_v / set.cell.stiffness_v;
-        return swing * (set.cell.hardening_v * ratio).mul_add(ratio, root_v.like(1.0));
+        let ratio = root_v / set.cell.vertical.stiffness_v;
+        return swing * (set.cell.vertical.hardening_v * ratio).mul_add(ratio, root_v.like(1.0));
     }
     swing
 }
@@ -111,22 +111,24 @@ pub(super) fn within<V: Vector>(
     let mut within = tried;
     if variant.stops {
         // The end stop is out of reach.
-        within = within & (cell.post_yield * cell.stop_gap * cell.stop_gap).ge(left_h);
+        within = within
+            & (cell.horizontal.post_yield * cell.horizontal.stop_gap * cell.horizontal.stop_gap)
+                .ge(left_h);
     }
     if !variant.asked.displacements {
         return within;
     }
     if variant.isolated_h {
-        within = within & (cell.post_yield * extremes.max_u * extremes.max_u).ge(left_h);
+        within = within & (cell.horizontal.post_yield * extremes.max_u * extremes.max_u).ge(left_h);
     }
     if variant.isolated_v {
         // A base at rest moves by the rounding error of the weight that it carries. With the deflection
         // |v| is largest below, or, of a swing of twice the deflection and more, above.
         let rounding_allowance =
-            left_v.like(V::Element::EVENT_TOLERANCE.to_f64()) * cell.deflection;
-        let way =
-            (-extremes.least_v).max(extremes.most_v - two * cell.deflection) + rounding_allowance;
-        within = within & (cell.stiffness_v * way * way).ge(left_v);
+            left_v.like(V::Element::EVENT_TOLERANCE.to_f64()) * cell.vertical.deflection;
+        let way = (-extremes.least_v).max(extremes.most_v - two * cell.vertical.deflection)
+            + rounding_allowance;
+        within = within & (cell.vertical.stiffness_v * way * way).ge(left_v);
     }
     within
 }

@@ -91,7 +91,7 @@ pub fn rests_early<V: Vector>(
     let now = model.least_arm * base_now.f_v - model.height * base_now.f_h.abs();
     let energy = flight * most / now;
     let held = y.u.like(4.0) * energy * (least + two * fall);
-    let radians = y.u.like(2.5) * momentum * cell.reach_h.max(cell.reach_v);
+    let radians = y.u.like(2.5) * momentum * cell.horizontal.reach_h.max(cell.vertical.reach_v);
     let eta = model.left.eta_phi.max(model.right.eta_phi);
     let loss = (one - eta * eta * eta).max(y.u.like(1.0e-6));
     rests = rests & least.gt(zero) & least.ge(radians) & (least * least).ge(held);
@@ -106,11 +106,12 @@ pub fn rests_early<V: Vector>(
     let share = y.u.like(1.25) + y.u.like(0.02) * radians / (least * loss);
     let moved = model.mu_v * arm * angle * share;
     let kick = model.mu_v * arm * speed * (most / now).sqrt();
-    let root_v_moved = base_v.sqrt() + cell.reach_v * moved;
+    let root_v_moved = base_v.sqrt() + cell.vertical.reach_v * moved;
     rests = within(set, extremes, rests, root_h * root_h, root_v_moved * root_v_moved);
     if !set.variant.asked.forces {
         return rests;
     }
-    let swing = cell.reach_v * (root_v_moved + cell.reach_v * moved) + cell.damping_v * kick;
+    let swing = cell.vertical.reach_v * (root_v_moved + cell.vertical.reach_v * moved)
+        + cell.vertical.damping_v * kick;
     forces_are_final(set, extremes, rests, zero.mask(0), x_most, y_swing.min(swing), energy)
 }

@@ -1,19 +1,22 @@
 //! The largest and least values of each lane's cell so far. Twin of `shaders/extremes.wgsl`.
 
+use bytemuck::Zeroable;
+
 use crate::model::CellEquations;
 use crate::model::asked::Asked;
 use crate::model::dynamics::{Contact, Rates};
 use crate::model::excitation::Ground;
 use crate::model::isolation::{base_load, stop_force};
-use crate::model::layout::reals;
+use crate::model::layout::{pod, reals};
 use crate::model::motion::Motion;
 use crate::model::number::Number;
 
 use super::guards::crosses;
 use super::rk4::hermite;
 
-/// See [`State`](super::state::State), which holds the same of one cell.
-#[derive(Debug, Clone, Copy)]
+/// The largest and least values of a cell so far.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, Zeroable)]
 pub struct Extremes<R> {
     /// Largest phi while rocking about the left corner, rad.
     pub max_phi_left: R,
@@ -45,6 +48,7 @@ pub struct Extremes<R> {
     pub stop_hits: R,
 }
 
+pod!(Extremes, reals: 14, words: 0);
 reals!(
     Extremes, 14, max_phi_left max_phi_right max_u least_v most_v min_contact friction acc_plate acc_block acc_plate_total
     acc_block_total base_load stop_force stop_hits
@@ -174,7 +178,8 @@ fn stop_end<N: Number>(set: &CellEquations<N>, y: &Motion<N>, k: &Rates<N>) -> [
     let side = set.stop.copied().unwrap_or(zero);
     let on = side.abs().gt(zero);
     let force = stop_force(set, side, y);
-    let rate = side * cell.stop_damping.mul_add(k.ddu, cell.stop_stiffness * y.du);
+    let rate =
+        side * cell.horizontal.stop_damping.mul_add(k.ddu, cell.horizontal.stop_stiffness * y.du);
     [N::select(on, force, zero), N::select(on, rate, zero)]
 }
 

@@ -99,7 +99,7 @@ impl<V: Vector> Forcing<V> {
         record: &[Ground<V::Element>],
         sample: u32,
     ) {
-        if sample * cell.substeps >= cell.steps_forced.min(cell.steps) {
+        if sample * cell.steps.substeps >= cell.steps.steps_forced.min(cell.steps.steps) {
             self.fetched &= !(1 << lane);
             return;
         }
@@ -121,11 +121,11 @@ impl<V: Vector> Forcing<V> {
         let zero = V::Element::of(0.0);
         let bit = 1 << lane;
         self.fetched &= !bit;
-        if step >= cell.steps_forced {
+        if step >= cell.steps.steps_forced {
             self.forced &= !bit;
-            self.step.put(lane, cell.step_free);
+            self.step.put(lane, cell.steps.step_free);
             self.done.put(lane, zero);
-            let steps = (cell.steps - step).min(MOST_STEPS);
+            let steps = (cell.steps.steps - step).min(MOST_STEPS);
             self.steps.put(lane, V::Element::of(f64::from(steps)));
             self.phase_start.put(lane, zero);
             self.phase_step.put(lane, zero);
@@ -138,14 +138,14 @@ impl<V: Vector> Forcing<V> {
         let first;
         let steps;
         if set.variant.recorded {
-            let sample = step / cell.substeps;
+            let sample = step / cell.steps.substeps;
             let (before, after) = (set.record[sample as usize], set.record[sample as usize + 1]);
             let (base, rise) = gap(cell, before, after);
             put(&mut self.base, lane, base);
             put(&mut self.rise, lane, rise);
             put(&mut self.after, lane, after);
-            first = sample * cell.substeps;
-            steps = cell.substeps;
+            first = sample * cell.steps.substeps;
+            steps = cell.steps.substeps;
             self.fetch(lane, cell, set.record, sample + 1);
             // A gap that follows another gap of the same cell has the same steps.
             if follows {
@@ -153,15 +153,15 @@ impl<V: Vector> Forcing<V> {
                 return first;
             }
         } else {
-            self.base.h.put(lane, cell.amplitude_h);
-            self.base.v.put(lane, cell.amplitude_v);
+            self.base.h.put(lane, cell.drive.amplitude_h);
+            self.base.v.put(lane, cell.drive.amplitude_v);
             first = step - step % MOST_STEPS;
-            steps = (cell.steps_forced - first).min(MOST_STEPS);
-            self.phase_start.put(lane, V::Element::of(f64::from(first)) * cell.phase_step);
+            steps = (cell.steps.steps_forced - first).min(MOST_STEPS);
+            self.phase_start.put(lane, V::Element::of(f64::from(first)) * cell.steps.phase_step);
         }
         self.forced |= bit;
-        self.step.put(lane, cell.step_forced);
-        self.phase_step.put(lane, cell.phase_step);
+        self.step.put(lane, cell.steps.step_forced);
+        self.phase_step.put(lane, cell.steps.phase_step);
         self.done.put(lane, V::Element::of(f64::from(step - first)));
         self.steps.put(lane, V::Element::of(f64::from(steps)));
         first
@@ -178,7 +178,7 @@ fn put<V: Vector>(ground: &mut Ground<V>, lane: usize, value: Ground<V::Element>
 /// sample.
 #[inline(always)]
 fn gap<N: Number>(cell: &Cell<N>, before: Ground<N>, after: Ground<N>) -> (Ground<N>, Ground<N>) {
-    let (h, v) = (cell.amplitude_h, cell.amplitude_v);
+    let (h, v) = (cell.drive.amplitude_h, cell.drive.amplitude_v);
     let base = Ground { h: h * before.h, v: v * before.v };
     (base, Ground { h: h * (after.h - before.h), v: v * (after.v - before.v) })
 }
@@ -186,7 +186,7 @@ fn gap<N: Number>(cell: &Cell<N>, before: Ground<N>, after: Ground<N>) -> (Groun
 /// The acceleration of the ground at a fraction of a step of a cell.
 pub fn ground_at<R: Real>(set: &CellEquations<R>, step: u32, fraction: R) -> Ground<R> {
     let mut forcing = Forcing::new(R::of(0.0));
-    if step < set.cell.steps_forced {
+    if step < set.cell.steps.steps_forced {
         forcing.begin(0, set, step, false);
     }
     forcing.ground(set.variant, set.cell, fraction)

@@ -198,15 +198,16 @@ pub fn end_stop_guard<N: Number>(
 ) -> GuardSample<N> {
     let (zero, cell) = (h.like(0.0), set.cell);
     let side = side_of(y.u);
-    let pushed = cell.stop_stiffness * (side * y.u - cell.stop_gap);
+    let pushed = cell.horizontal.stop_stiffness * (side * y.u - cell.horizontal.stop_gap);
     let force = stop_force(set, side, y);
     let value = pushed.min(force);
-    let mut slope = cell.stop_stiffness * side * y.du;
-    let damped = cell.stop_damping * side * k.ddu;
+    let mut slope = cell.horizontal.stop_stiffness * side * y.du;
+    let damped = cell.horizontal.stop_damping * side * k.ddu;
     slope = N::select(pushed.gt(force), slope + damped, slope);
     let off = zero.ge(set.stop.copied().unwrap_or(zero).abs());
-    let damping = cell.stop_damping * y.du.abs();
-    let size = cell.stop_stiffness.mul_add(y.u.abs() + cell.stop_gap, damping);
+    let damping = cell.horizontal.stop_damping * y.du.abs();
+    let size =
+        cell.horizontal.stop_stiffness.mul_add(y.u.abs() + cell.horizontal.stop_gap, damping);
     GuardSample {
         value: N::select(off, value, -value),
         slope: h * N::select(off, slope, -slope),

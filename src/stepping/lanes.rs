@@ -178,7 +178,7 @@ impl<'a, V: Vector> Lanes<'a, V> {
             impacts: zero,
             steps_since_check: zero,
             search: Search::new(zero),
-            extremes: State::<f32>::zeroed().extremes().map(|_| zero),
+            extremes: Extremes::<f32>::zeroed().map(|_| zero),
             spans: Spans::unwanted(zero),
             log: None,
         }
@@ -335,16 +335,13 @@ impl<'a, V: Vector> Lanes<'a, V> {
         let bit = self.start.mask(1 << lane);
         let zero = V::Element::of(0.0);
         self.running |= 1 << lane;
-        for (to, from) in self.cell.reals_mut().into_iter().zip(job.cell.reals()) {
-            to.put(lane, from);
-        }
+        self.cell.take(&job.cell, |to, from| to.put(lane, from));
         if self.bodies[lane] != job.cell.body {
             self.bodies[lane] = job.cell.body;
             let body = &self.shared.models[job.cell.body as usize];
             self.model.take(body, |to, from| to.put(lane, from));
         }
-        let extremes = job.state.extremes();
-        for (to, from) in self.extremes.reals_mut().into_iter().zip(extremes.reals()) {
+        for (to, from) in self.extremes.reals_mut().into_iter().zip(job.state.extremes.reals()) {
             to.put(lane, from);
         }
         self.impacts.put(lane, V::Element::of(f64::from(job.state.impacts)));
@@ -404,8 +401,7 @@ impl<'a, V: Vector> Lanes<'a, V> {
     #[inline(always)]
     pub(super) fn store(&mut self, lane: usize) {
         self.leave(lane);
-        let extremes = self.extremes.map(|number| number.lane(lane));
-        self.lanes[lane].job.state.set_extremes(&extremes);
+        self.lanes[lane].job.state.extremes = self.extremes.map(|number| number.lane(lane));
     }
 
     /// Removes the cell from a lane.
@@ -443,10 +439,10 @@ impl<'a, V: Vector> Lanes<'a, V> {
         let set = self.shared.equations(&self.lanes[lane].job.cell);
         let first = self.forcing.begin(lane, &set, step, follows);
         // A cell that shares its full contact may begin between two tries of the certificate.
-        let since_check = step.saturating_sub(set.cell.steps_forced) % STEPS_A_TRY;
+        let since_check = step.saturating_sub(set.cell.steps.steps_forced) % STEPS_A_TRY;
         self.steps_since_check.put(lane, V::Element::of(f64::from(since_check)));
         let lane = &mut self.lanes[lane];
-        lane.next_sample = first / lane.job.cell.substeps.max(1) + 1;
+        lane.next_sample = first / lane.job.cell.steps.substeps.max(1) + 1;
         lane.first_step = first;
     }
 
@@ -469,7 +465,7 @@ impl<'a, V: Vector> Lanes<'a, V> {
         self.forcing.follow(lanes, &self.cell);
         for number in each(V::bits(lanes)) {
             let lane = &mut self.lanes[number];
-            lane.first_step += lane.job.cell.substeps;
+            lane.first_step += lane.job.cell.steps.substeps;
             lane.next_sample += 1;
             self.forcing.fetch(number, &lane.job.cell, self.shared.record, lane.next_sample);
         }

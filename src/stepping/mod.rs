@@ -15,7 +15,7 @@ pub mod certificate;
 pub(crate) mod crossing;
 pub(crate) mod cubic;
 pub mod early_rest;
-pub(crate) mod extremes;
+pub mod extremes;
 pub mod forcing;
 pub mod guards;
 pub mod lanes;

@@ -23,7 +23,7 @@ pub const BEYOND: f64 = 5.0e-4;
 #[inline(always)]
 pub(super) fn settling_rate<V: Vector>(set: &CellEquations<V>, y: &Motion<V>) -> V {
     let n = y.du.like(f64::from(set.variant.bouc_wen_n));
-    n * y.du.abs() * set.cell.inverse_yield
+    n * y.du.abs() * set.cell.horizontal.inverse_yield
 }
 
 impl<V: Vector> Lanes<'_, V> {
@@ -42,12 +42,12 @@ impl<V: Vector> Lanes<'_, V> {
             // The rate of the fastest motion: against the stop, or on the spring at its largest stiffness.
             let mut rate = zero;
             if variant.stops {
-                rate = self.cell.stop_rate * self.stop.abs();
+                rate = self.cell.horizontal.stop_rate * self.stop.abs();
             }
             if variant.hardens {
                 let three = one.like(3.0);
-                let tangent = three * self.cell.hardening_v * self.y.v * self.y.v;
-                rate = rate.max((self.cell.stiffness_v + tangent).sqrt());
+                let tangent = three * self.cell.vertical.hardening_v * self.y.v * self.y.v;
+                rate = rate.max((self.cell.vertical.stiffness_v + tangent).sqrt());
             }
             let turned = rate * step;
             let limit = one.like(STIFF_LIMIT);

@@ -31,34 +31,8 @@ pub const PROVED: u32 = 6;
 pub struct State<R> {
     /// The motion at the last step boundary (or switch, for a cell that ended).
     pub motion: Motion<R>,
-    /// Largest phi while rocking about the left corner, rad.
-    pub max_phi_left: R,
-    /// Largest -phi while rocking about the right corner, rad.
-    pub max_phi_right: R,
-    /// Largest |u|, m.
-    pub max_u: R,
-    /// Least v from the static position, m: zero or below.
-    pub least_v: R,
-    /// Largest v from the static position, m: zero or above.
-    pub most_v: R,
-    /// Least normal contact force over M, m/s^2.
-    pub min_contact: R,
-    /// Largest |horizontal| / normal contact force while the latter is positive.
-    pub friction: R,
-    /// Largest horizontal acceleration of the upper plate, m/s^2.
-    pub acc_plate: R,
-    /// Largest horizontal acceleration of the centre of mass, m/s^2.
-    pub acc_block: R,
-    /// Largest acceleration of the upper plate with gravity, m/s^2.
-    pub acc_plate_total: R,
-    /// Largest acceleration of the centre of mass with gravity, m/s^2.
-    pub acc_block_total: R,
-    /// Largest vertical force that the base carries over M, m/s^2.
-    pub base_load: R,
-    /// Largest force of the end stop over M_t, m/s^2.
-    pub stop_force: R,
-    /// How often the end stop began to push the base.
-    pub stop_hits: R,
+    /// The largest and least values so far.
+    pub extremes: Extremes<R>,
     /// Fraction of the step `uplift_step` at which the block first lifted.
     pub uplift_fraction: R,
     /// Fraction of the step `step` at which the cell ended, if it did not reach its last step.
@@ -79,51 +53,12 @@ pub struct State<R> {
 
 pod!(State, reals: 23, words: 6);
 
-impl<R: Real> State<R> {
-    /// The largest and least values so far.
-    pub fn extremes(&self) -> Extremes<R> {
-        Extremes {
-            max_phi_left: self.max_phi_left,
-            max_phi_right: self.max_phi_right,
-            max_u: self.max_u,
-            least_v: self.least_v,
-            most_v: self.most_v,
-            min_contact: self.min_contact,
-            friction: self.friction,
-            acc_plate: self.acc_plate,
-            acc_block: self.acc_block,
-            acc_plate_total: self.acc_plate_total,
-            acc_block_total: self.acc_block_total,
-            base_load: self.base_load,
-            stop_force: self.stop_force,
-            stop_hits: self.stop_hits,
-        }
-    }
-
-    /// Takes over the largest and least values.
-    #[inline(always)]
-    pub fn set_extremes(&mut self, extremes: &Extremes<R>) {
-        self.max_phi_left = extremes.max_phi_left;
-        self.max_phi_right = extremes.max_phi_right;
-        self.max_u = extremes.max_u;
-        self.least_v = extremes.least_v;
-        self.most_v = extremes.most_v;
-        self.min_contact = extremes.min_contact;
-        self.friction = extremes.friction;
-        self.acc_plate = extremes.acc_plate;
-        self.acc_block = extremes.acc_block;
-        self.acc_plate_total = extremes.acc_plate_total;
-        self.acc_block_total = extremes.acc_block_total;
-        self.base_load = extremes.base_load;
-        self.stop_force = extremes.stop_force;
-        self.stop_hits = extremes.stop_hits;
-    }
-}
-
 /// Ends a cell before it begins where one of its numbers is not finite: the number type does not hold a
 /// parameter.
 pub fn check_cell<R: Real>(cell: &Cell<R>, state: &mut State<R>) {
-    if !cell.reals().iter().all(|number| number.to_f64().is_finite()) {
+    let Cell { horizontal, vertical, drive, steps, .. } = cell;
+    let rest = [&vertical.reals()[..], &drive.reals(), &steps.reals()].concat();
+    if !horizontal.reals().iter().chain(&rest).all(|number| number.to_f64().is_finite()) {
         state.status = DIVERGED;
     }
 }

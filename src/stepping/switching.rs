@@ -60,7 +60,7 @@ impl<V: Vector> Lanes<'_, V> {
         let to_right = self.corner.side.gt(zero);
         let landing = select_corner(to_right, &self.model.right, &self.model.left);
         let rebound = (landing.eta_phi * self.y.dphi).abs();
-        let rebounds = rebound.ge(self.cell.rest_speed) & landing.eta_phi.gt(zero);
+        let rebounds = rebound.ge(self.cell.steps.rest_speed) & landing.eta_phi.gt(zero);
         let bounces = lands & rebounds;
         self.y = select_motion(bounces, &change_corner(&landing, &self.y), &self.y);
         self.corner = select_corner(bounces, &landing, &self.corner);
@@ -185,7 +185,7 @@ impl<V: Vector> Lanes<'_, V> {
                 job.state.status = EVENT_LIMIT;
             } else if lost & bit != 0 {
                 job.state.status = DIVERGED;
-            } else if step >= job.cell.steps {
+            } else if step >= job.cell.steps.steps {
                 job.state.status = FINISHED;
             } else if proved & bit != 0 {
                 job.state.end_fraction = fraction;

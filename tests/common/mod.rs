@@ -6,6 +6,8 @@ use std::io::Write;
 
 pub mod formats;
 pub mod motions;
+pub mod suites;
+pub mod values;
 
 use topple::backend::backend_error::BackendError;
 use topple::backend::description::AdapterDescription;

@@ -13,88 +13,26 @@ use topple::scene::Grid;
 use topple::scene::builder::SceneBuilder;
 use topple::work::observer::Unwatched;
 
+use crate::common::values::{numbers, words};
+
 /// How many of each there are.
 const SCENES: u32 = 9_000;
 
 /// Most steps that a scene of the test may take, all of its cells together.
 const MOST_STEPS: f64 = 2.0e4;
 
-/// Numbers, and what only looks like one.
-const NUMBERS: [&str; 30] = [
-    "1",
-    "0.2",
-    "1.75",
-    "0.75",
-    "3",
-    "10",
-    "0",
-    "-1",
-    "-0.3",
-    "0.999999",
-    "1e-300",
-    "1e300",
-    "-0.0",
-    "nan",
-    "inf",
-    "-inf",
-    "1e999",
-    "4294967296",
-    "0x10",
-    "",
-    " ",
-    "1,5",
-    "1:2:3",
-    "2:1:2",
-    "1:2:0",
-    "1:1:2",
-    ":::",
-    "1:inf:2",
-    "0:5:2",
-    "\u{3c0}",
-];
-
 /// Keys of a scene file: table and name.
-const KEYS: [(&str, &str); 28] = [
-    ("block", "object"),
-    ("block", "half_width"),
-    ("block", "height"),
-    ("block", "mass"),
-    ("block", "inertia"),
-    ("block", "plate_h"),
-    ("block", "plate_v"),
-    ("block", "eccentricity"),
-    ("base", "isolation"),
-    ("base", "t_h"),
-    ("base", "t_v"),
-    ("base", "psi"),
-    ("base", "xi_h"),
-    ("base", "xi_v"),
-    ("base", "alpha_y"),
-    ("base", "bouc_wen_n"),
-    ("pulse", "omega"),
-    ("pulse", "a_h"),
-    ("pulse", "a_v"),
-    ("record", "horizontal"),
-    ("record", "dt"),
-    ("run", "t_max"),
-    ("run", "tilt"),
-    ("run", "overturn"),
-    ("run", "friction"),
-    ("run", "restitution"),
-    ("run", "restitution_factor"),
-    ("run", "colour"),
-];
-
-/// Words that some key takes.
-const WORDS: [&str; 6] =
-    ["none", "dual", "horizontal", "quarter-turn", "critical-angle", "/dev/null"];
+const KEYS: &str = "block.object block.half_width block.height block.mass block.inertia block.plate_h block.plate_v \
+    block.eccentricity base.isolation base.t_h base.t_v base.psi base.xi_h base.xi_v base.alpha_y \
+    base.bouc_wen_n pulse.omega pulse.a_h pulse.a_v record.horizontal record.dt run.t_max run.tilt \
+    run.overturn run.friction run.restitution run.restitution_factor run.colour";
 
 /// Values as TOML writes them: bare, quoted, or of a kind that no key takes.
 fn value() -> impl Strategy<Value = String> {
     prop_oneof![
-        4 => select(&NUMBERS[..]).prop_map(String::from),
-        2 => select(&NUMBERS[..]).prop_map(|text| format!("\"{text}\"")),
-        2 => select(&WORDS[..]).prop_map(|text| format!("\"{text}\"")),
+        4 => select(numbers()).prop_map(String::from),
+        2 => select(numbers()).prop_map(|text| format!("\"{text}\"")),
+        2 => select(words()).prop_map(|text| format!("\"{text}\"")),
         1 => Just("[1, 2]".to_string()),
         1 => Just("true".to_string()),
         2 => (-3.0..30.0_f64).prop_map(|number| format!("{number:?}")),
@@ -102,10 +40,14 @@ fn value() -> impl Strategy<Value = String> {
     ]
 }
 
+fn keys() -> Vec<(&'static str, &'static str)> {
+    KEYS.split(' ').map(|key| key.split_once('.').unwrap()).collect()
+}
+
 /// A good scene of which some keys are given other values, or taken away, and the text perhaps cut.
 fn scene() -> impl Strategy<Value = String> {
     let changes =
-        prop::collection::vec((select(&KEYS[..]), prop::option::weighted(0.9, value())), 0..5);
+        prop::collection::vec((select(keys()), prop::option::weighted(0.9, value())), 0..5);
     (changes, prop::option::weighted(0.1, 0..200_usize)).prop_map(|(changes, cut)| {
         let good = [
             (("block", "object"), "1"),
@@ -178,4 +120,40 @@ fn any_scene_is_refused_or_runs() {
     // The test is of both kinds.
     let (refused, ran) = (refused.get(), ran.get());
     assert!(refused > SCENES / 4 && ran > SCENES / 10, "{refused} {ran}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// Any text is a scene or an error, never a panic.
+    #[test]
+    fn any_scene_text_is_read_or_refused(text in "(?s).{0,200}") {
+        if let Ok(scene) = SceneBuilder::from_toml(&text) {
+            let _ = scene.check();
+        }
+    }
+
+    /// Any numbers in a scene make a scene or an error, and a scene can be planned or is refused.
+    #[test]
+    fn any_numbers_are_checked(
+        numbers in prop::collection::vec(prop_oneof![
+            any::<f64>(), -2.0..2.0_f64, 0.0..40.0_f64, Just(0.0), Just(1.0)
+        ], 9),
+        count in 0..50_u32,
+    ) {
+        let n = |i: usize| match numbers[i] {
+            x if x.is_nan() => "nan".to_string(),
+            x if x.is_infinite() => "inf".to_string(),
+            x => format!("{x:?}"),
+        };
+        let text = format!(
+            "[block]\nhalf_width = {}\nheight = {}\neccentricity = {}\n[base]\nt_h = {}\nt_v = {}\n\
+             [pulse]\nomega = \"{}:{}:{count}\"\na_h = {}\n[run]\nt_max = {}\n",
+            n(0), n(1), n(2), n(3), n(4), n(5), n(6), n(7), n(8)
+        );
+        let scene = SceneBuilder::from_toml(&text);
+        if let Some(scene) = scene.ok().and_then(|scene| scene.check().ok()) {
+            let _ = Plan::new(&scene, 0.004);
+        }
+    }
 }

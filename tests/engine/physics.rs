@@ -145,11 +145,11 @@ fn free_rocking(scene: &Scene, phi0: f64) -> Vec<(f64, f64)> {
     let model = plan.model::<f64>(&plan.scene.case());
     let (mut cell, mut state) = plan.cell::<f64>(&point);
     // No excitation: every step is a free one of the same length.
-    cell.steps_forced = 0;
+    cell.steps.steps_forced = 0;
     state.mode = ROCKING_LEFT;
     state.motion.phi = phi0;
     let set = CellEquations::of(plan.variant(), &model, &cell, &[]);
-    let mut log = Impacts(Vec::new(), cell.step_free);
+    let mut log = Impacts(Vec::new(), cell.steps.step_free);
     single::run(&set, &state, &mut log);
     log.0
 }
@@ -271,7 +271,7 @@ proptest! {
             let mut y = before(pole, velocity);
             y[PHI] = pole.sign() * phi;
             let fraction = 0.37;
-            let t = (5.0 + fraction) * cell.step_forced;
+            let t = (5.0 + fraction) * cell.steps.step_forced;
             let ground = topple::stepping::forcing::ground_at(&set, 5, fraction);
             let k = topple::model::dynamics::rates(&set, &corner, true, &as_motion(&y), ground);
             let slow = system.derivative(Some(pole), t, Drive::Pulse, &y);

@@ -58,8 +58,8 @@ impl Sample {
         let mut scale = 1.0;
         if self.shape.is_modulated() {
             let modulation = Modulation::of(self.gamma, self.nu);
-            cell.envelope = R::of(modulation.envelope);
-            cell.carrier = R::of(modulation.carrier);
+            cell.drive.envelope = R::of(modulation.envelope);
+            cell.drive.carrier = R::of(modulation.carrier);
             scale = self.shape.peak(self.gamma, self.nu);
         }
         let kind = (self.shape, self.cycles > 1.0);

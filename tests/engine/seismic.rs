@@ -278,11 +278,11 @@ fn the_ground_is_linear_between_samples() {
     let (model, record) = (plan.model::<f64>(&plan.scene.case()), plan.record::<f64>());
     let (cell, _) = plan.cell::<f64>(&point);
     let clock = plan.clock(&point);
-    assert_eq!(cell.steps_forced, 3 * cell.substeps);
-    assert_eq!(cell.steps, cell.steps_forced);
+    assert_eq!(cell.steps.steps_forced, 3 * cell.steps.substeps);
+    assert_eq!(cell.steps.steps, cell.steps.steps_forced);
     let set = CellEquations::of(plan.variant(), &model, &cell, &record);
     for (t, a) in [(0.0, 0.0), (0.01, 0.5), (0.02, 1.0), (0.03, 0.0), (0.055, 0.125), (0.06, 0.5)] {
-        let step = ((t / clock.step_forced) as u32).min(cell.steps_forced - 1);
+        let step = ((t / clock.step_forced) as u32).min(cell.steps.steps_forced - 1);
         let fraction = t / clock.step_forced - f64::from(step);
         assert!((ground_at(&set, step, fraction).h - a).abs() < 1e-9, "t = {t}");
     }

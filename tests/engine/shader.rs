@@ -5,12 +5,12 @@ use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga::{Module, TypeInner};
 use topple::backend::gpu::shader::{self, Switches};
 use topple::backend::gpu::tile::Tile;
-use topple::cells::groups::Steps;
 use topple::model::block::{Corner, Model};
-use topple::model::excitation::{Cell, Ground};
+use topple::model::excitation::{Cell, Drive, Ground, Horizontal, Steps, Vertical};
 use topple::model::motion::Motion;
 use topple::model::precision::Precision;
 use topple::model::pulse::Shape;
+use topple::stepping::extremes::Extremes;
 use topple::stepping::log::Event;
 use topple::stepping::state::State;
 
@@ -130,36 +130,31 @@ macro_rules! same_layouts {
         same_layout!(
             $precision,
             $real,
-            Cell {
+            Horizontal {
                 post_yield,
                 hysteretic,
                 damping_h,
                 inverse_yield,
-                stiffness_v,
-                damping_v,
-                amplitude_h,
-                amplitude_v,
-                phase_step,
-                step_forced,
-                step_free,
-                rest_speed,
                 yield_energy,
-                deflection,
                 reach_h,
-                reach_v,
-                envelope,
-                carrier,
                 stop_gap,
                 stop_stiffness,
                 stop_damping,
                 stop_rate,
-                hardening_v,
-                steps_forced,
-                steps,
-                substeps,
-                body
+                finite,
             }
         );
+        same_layout!(
+            $precision,
+            $real,
+            Vertical { stiffness_v, damping_v, deflection, reach_v, hardening_v, finite }
+        );
+        same_layout!(
+            $precision,
+            $real,
+            Drive { amplitude_h, amplitude_v, scale, tilt, envelope, carrier, finite }
+        );
+        same_layout!($precision, $real, Cell { horizontal, vertical, drive, steps, body, padding });
         same_layout!(
             $precision,
             $real,
@@ -180,8 +175,7 @@ macro_rules! same_layouts {
         same_layout!(
             $precision,
             $real,
-            State {
-                motion,
+            Extremes {
                 max_phi_left,
                 max_phi_right,
                 max_u,
@@ -195,7 +189,15 @@ macro_rules! same_layouts {
                 acc_block_total,
                 base_load,
                 stop_force,
-                stop_hits,
+                stop_hits
+            }
+        );
+        same_layout!(
+            $precision,
+            $real,
+            State {
+                motion,
+                extremes,
                 uplift_fraction,
                 end_fraction,
                 mode,

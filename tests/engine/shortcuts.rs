@@ -195,13 +195,20 @@ fn nothing_grows(name: &str, scene: &Scene, asked: Asked) -> [usize; 2] {
         if asked.angles {
             assert_eq!(then.uplifts, state.uplifts, "{name}, {:?}", grid.case(index));
         }
-        let angles =
-            [state.max_phi_left - then.max_phi_left, state.max_phi_right - then.max_phi_right];
+        let angles = [
+            state.extremes.max_phi_left - then.extremes.max_phi_left,
+            state.extremes.max_phi_right - then.extremes.max_phi_right,
+        ];
         // What a table has of v: the largest way from the static position, and that from the unloaded spring.
-        let largest =
-            |end: &State<f64>, from: f64| (end.least_v - from).abs().max((end.most_v - from).abs());
+        let largest = |end: &State<f64>, from: f64| {
+            (end.extremes.least_v - from).abs().max((end.extremes.most_v - from).abs())
+        };
         let grown = |from: f64| largest(&state, from) - largest(&then, from);
-        let ways = [state.max_u - then.max_u, grown(0.0), grown(cell.deflection)];
+        let ways = [
+            state.extremes.max_u - then.extremes.max_u,
+            grown(0.0),
+            grown(cell.vertical.deflection),
+        ];
         for (asked, grown) in [(asked.angles, &angles[..]), (asked.displacements, &ways[..])] {
             let other = asked && grown.iter().any(|more| more.abs() > 1e-9);
             assert!(!other, "{name}, {:?}: {grown:?}", grid.case(index));
@@ -210,10 +217,10 @@ fn nothing_grows(name: &str, scene: &Scene, asked: Asked) -> [usize; 2] {
             continue;
         }
         // The contact forces by a thousandth at most.
-        let lower = then.min_contact - state.min_contact;
-        assert!(lower <= 1e-3 * then.min_contact.abs(), "{:?}: {lower}", grid.case(index));
-        let higher = state.friction - then.friction;
-        assert!(higher <= 1.001e-3 * then.friction, "{:?}: {higher}", grid.case(index));
+        let lower = then.extremes.min_contact - state.extremes.min_contact;
+        assert!(lower <= 1e-3 * then.extremes.min_contact.abs(), "{:?}: {lower}", grid.case(index));
+        let higher = state.extremes.friction - then.extremes.friction;
+        assert!(higher <= 1.001e-3 * then.extremes.friction, "{:?}: {higher}", grid.case(index));
     }
     say(&format!("{name}: {proved} proved, {rested} of them rocked and rest"));
     [proved, rested]
@@ -547,14 +554,14 @@ proptest! {
         let y = &mut state.motion;
         (y.u, y.du, y.v, y.dv, y.z) = (u, du, y.v + lift, dv, z);
         y.dphi = dphi;
-        (state.max_phi_left, state.max_phi_right) = (seen[0], seen[1]);
+        (state.extremes.max_phi_left, state.extremes.max_phi_right) = (seen[0], seen[1]);
         // No matter here.
-        (state.max_u, state.least_v, state.most_v) = (100.0, -100.0, 100.0);
-        (state.min_contact, state.friction) = (-1.0e6, 1.0e6);
+        (state.extremes.max_u, state.extremes.least_v, state.extremes.most_v) = (100.0, -100.0, 100.0);
+        (state.extremes.min_contact, state.extremes.friction) = (-1.0e6, 1.0e6);
         let corner = pivot(&model, state.mode);
-        let proved = is_final(&set, &corner, true, true, true, &state.motion, &state.extremes());
+        let proved = is_final(&set, &corner, true, true, true, &state.motion, &state.extremes);
         // Before the first uplift from full contact its time is not known.
-        prop_assert!(!is_final(&set, &corner, true, true, false, &state.motion, &state.extremes()));
+        prop_assert!(!is_final(&set, &corner, true, true, false, &state.motion, &state.extremes));
 
         let system = System::new(&scene, &point);
         let mut other = system.at_rest();

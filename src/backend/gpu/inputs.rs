@@ -18,9 +18,8 @@ use super::slots::{DISPATCH_STRIDE, RING, Slots, refill};
 use super::tile::{Layout, OwnClocks, Tile};
 use crate::cells::cell_tables::Clocks;
 use crate::cells::contact::full_contact::FullContactMotions;
-use crate::cells::groups::Steps;
 use crate::cells::ready::Cells;
-use crate::model::excitation::Ground;
+use crate::model::excitation::{Ground, Steps};
 use crate::model::real::Real;
 use crate::scene::grid::AXES;
 

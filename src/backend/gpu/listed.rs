@@ -8,9 +8,9 @@ use std::ops::Range;
 
 use super::tile::{LISTED, Layout, Tile};
 use crate::cells::cell_tables::Clocks;
-use crate::cells::groups::{Drive, Horizontal, Vertical};
 use crate::cells::listing::Index;
 use crate::cells::ready::Cells;
+use crate::model::excitation::{Drive, Horizontal, Vertical};
 use crate::model::real::Real;
 use crate::scene::grid::AXES;
 use crate::work::parallel;

@@ -7,8 +7,8 @@ use bytemuck::{Pod, Zeroable};
 
 use crate::cells::cell_tables::{CellTables, ClockParts, Clocks, OwnClock};
 use crate::cells::clock::Clock;
-use crate::cells::groups::Steps;
 use crate::cells::listing::Index;
+use crate::model::excitation::Steps;
 use crate::model::real::Real;
 use crate::scene::grid::AXES;
 use crate::work::parallel;

@@ -218,9 +218,9 @@ impl<R: Real> MotionPair<'_, R> {
             phi: zero,
             dphi: zero,
         };
-        state.max_u = scale.abs() * h.field(TOP)[sample];
-        state.least_v = v.field(BOTTOM)[at];
-        state.most_v = v.field(TOP)[at];
+        state.extremes.max_u = scale.abs() * h.field(TOP)[sample];
+        state.extremes.least_v = v.field(BOTTOM)[at];
+        state.extremes.most_v = v.field(TOP)[at];
     }
 }
 

@@ -16,8 +16,9 @@ use crate::stepping::state::RUNNING;
 #[inline(always)]
 pub(crate) fn load<V: Vector>(lanes: &mut Lanes<V>, set: &MotionSet<V::Element>) {
     for (number, start) in set.starts.iter().enumerate() {
-        let cell = Cell { body: number as u32, steps: start.steps(), ..start.cell };
-        if start.state.status == RUNNING && cell.steps > 0 {
+        let mut cell = Cell { body: number as u32, ..start.cell };
+        cell.steps.steps = start.steps();
+        if start.state.status == RUNNING && cell.steps.steps > 0 {
             lanes.load(number, Job { number, cell, state: start.state });
         }
     }

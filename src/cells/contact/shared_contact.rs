@@ -30,13 +30,13 @@ fn lifts<N: Number>(arms: [N; 2], lever: N, upper: N, lower: N, lower_y: N) -> N
 pub(crate) fn full_contact<R: Real>(
     motions: &MotionPair<R>,
     model: &Model<R>,
-    scale: R,
     cell: &Cell<R>,
     state: &mut State<R>,
 ) {
     let (variant, set) =
         (motions.variant, CellEquations::of(motions.variant, model, cell, motions.record));
     // u is A_h times its value for A_h = 1.
+    let scale = cell.drive.scale;
     let lever = model.height * scale;
     let arms = [model.left.arm, model.right.arm];
     let first = first_beyond(motions, arms, lever);
@@ -45,13 +45,13 @@ pub(crate) fn full_contact<R: Real>(
     vectorized!(motions.level, none => sample = first_lift(motions, arms, lever, first, none));
     let mut friction = none;
     // A motion that is continued after the excitation has one sample per step.
-    let mut tried = cell.steps_forced.saturating_add(STEPS_A_TRY);
-    while variant.certificate && tried as usize <= sample && tried < cell.steps {
+    let mut tried = cell.steps.steps_forced.saturating_add(STEPS_A_TRY);
+    while variant.certificate && tried as usize <= sample && tried < cell.steps.steps {
         motions.move_to(scale, tried as usize, state);
         // The contact forces are treated as if they had no extreme yet: they take longer to become known.
-        (state.friction, state.min_contact) = (R::of(MOST), R::of(-MOST));
+        (state.extremes.friction, state.extremes.min_contact) = (R::of(MOST), R::of(-MOST));
         if stays_final(&set, state) {
-            friction = friction_before(motions, &set, scale, tried as usize, friction);
+            friction = friction_before(motions, &set, tried as usize, friction);
             meet_forces(motions, model, tried as usize, friction, state);
             if stays_final(&set, state) {
                 (state.step, state.status) = (tried, PROVED);
@@ -60,12 +60,12 @@ pub(crate) fn full_contact<R: Real>(
         }
         tried += STEPS_A_TRY;
     }
-    friction = friction_before(motions, &set, scale, sample, friction);
+    friction = friction_before(motions, &set, sample, friction);
     motions.move_to(scale, sample, state);
     meet_forces(motions, model, sample, friction, state);
     // A sample is one step of the cell or several, and a cell has fewer than 2^32 steps.
-    state.step = sample as u32 * cell.substeps;
-    if state.step >= cell.steps {
+    state.step = sample as u32 * cell.steps.substeps;
+    if state.step >= cell.steps.steps {
         state.status = FINISHED;
     }
 }
@@ -77,8 +77,8 @@ const MOST: f64 = 1.0e30;
 #[inline(always)]
 fn stays_final<R: Real>(set: &CellEquations<R>, state: &State<R>) -> bool {
     let (none, tried) = (set.model.height.mask(0), set.model.height.mask(1));
-    let (corner, extremes) = (&set.model.left, state.extremes());
-    R::any(is_final(set, corner, none, tried, none, &state.motion, &extremes))
+    let (corner, extremes) = (&set.model.left, &state.extremes);
+    R::any(is_final(set, corner, none, tried, none, &state.motion, extremes))
 }
 
 /// The largest friction demand before a sample, if one is known.
@@ -86,11 +86,10 @@ fn stays_final<R: Real>(set: &CellEquations<R>, state: &State<R>) -> bool {
 fn friction_before<R: Real>(
     motions: &MotionPair<R>,
     set: &CellEquations<R>,
-    scale: R,
     sample: usize,
     known: R,
 ) -> R {
-    let (mut friction, none, size) = (known, R::of(0.0), scale.abs());
+    let (mut friction, none, size) = (known, R::of(0.0), set.cell.drive.scale.abs());
     if !motions.variant.asked.forces || sample == 0 {
         return known;
     }
@@ -102,7 +101,7 @@ fn friction_before<R: Real>(
     vectorized!(motions.level, none => {
         friction = at_samples(motions, size, sample, known, none);
         friction = crests(motions, size, sample, friction, none, |gap, friction| {
-            within_gap(motions, set, scale, gap, friction)
+            within_gap(motions, set, gap, friction)
         });
     });
     friction
@@ -117,11 +116,11 @@ fn meet_forces<R: Real>(
     friction: R,
     state: &mut State<R>,
 ) {
-    (state.min_contact, state.friction) = (model.gravity, friction);
+    (state.extremes.min_contact, state.extremes.friction) = (model.gravity, friction);
     if motions.variant.asked.forces {
         let v = motions.up;
         let least = v.field(LEAST_SO_FAR)[sample.min(v.length - 1)];
-        state.min_contact = least.min(model.gravity);
+        state.extremes.min_contact = least.min(model.gravity);
     }
 }
 
@@ -210,14 +209,14 @@ mod tests {
             [0.02, -0.1, 0.35, -0.7, 1.0].into_iter().map(move |scale| (cell, scale))
         }) {
             let motions = all.motions_of(&all.tables.cell(cell)).unwrap();
-            let groups = all.tables.groups(&all.tables.cell(cell));
-            let model = &all.bodies()[groups.body as usize];
+            let mut numbers = all.tables.numbers(&all.tables.cell(cell));
+            let model = &all.bodies()[numbers.body as usize];
             // The shared motion times the scale is the motion of such a cell.
-            let mut numbers = groups.cell();
-            let ratio = of(scale) / groups.drive.scale;
-            numbers.amplitude_h = numbers.amplitude_h * ratio;
-            numbers.hysteretic = numbers.hysteretic * ratio.abs();
-            numbers.inverse_yield = numbers.inverse_yield / ratio.abs();
+            let ratio = of(scale) / numbers.drive.scale;
+            numbers.drive.scale = of(scale);
+            numbers.drive.amplitude_h = numbers.drive.amplitude_h * ratio;
+            numbers.horizontal.hysteretic = numbers.horizontal.hysteretic * ratio.abs();
+            numbers.horizontal.inverse_yield = numbers.horizontal.inverse_yield / ratio.abs();
             let set = CellEquations::of(motions.variant, model, &numbers, &record);
             let (h, v) = (motions.across, motions.up);
             let (arms, lever, size) = ([of(0.17), of(0.23)], of(scale), of(scale.abs()));
@@ -238,7 +237,7 @@ mod tests {
                 let sample = first_lift(&motions, arms, lever, first, none);
                 let at_samples = at_samples(&motions, size, sample, of(0.0), none);
                 let crests = crests(&motions, size, sample, at_samples, none, |gap, friction| {
-                    within_gap(&motions, &set, of(scale), gap, friction)
+                    within_gap(&motions, &set, gap, friction)
                 });
                 found = (sample, at_samples, crests);
             });
@@ -246,7 +245,7 @@ mod tests {
             let crest = (0..sample).fold(friction, |most, gap| {
                 let (magnitude, least) = (h.field(MAGNITUDE)[gap], v.field(LEAST)[gap_v(gap)]);
                 let looked = size * magnitude > of(1.0 + OVER) * friction * least;
-                if looked { within_gap(&motions, &set, of(scale), gap, most) } else { most }
+                if looked { within_gap(&motions, &set, gap, most) } else { most }
             });
             // A gap that exceeds the largest friction so far by less than this is not searched.
             let most = crest.max(found.2).to_f64();

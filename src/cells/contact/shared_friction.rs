@@ -115,19 +115,19 @@ pub(crate) fn crests<V: Vector>(
 pub(crate) fn within_gap<R: Real>(
     motions: &MotionPair<R>,
     set: &CellEquations<R>,
-    scale: R,
     gap: usize,
     friction: R,
 ) -> R {
     let CellEquations { variant, model, cell, .. } = *set;
     let (zero, half, one) = (R::of(0.0), R::of(0.5), R::of(1.0));
     let (none, corner) = (zero.mask(0), &model.left);
-    let mut state = State { friction, ..State::zeroed() };
-    motions.move_to(scale, gap, &mut state);
-    let (mut y, mut extremes) = (state.motion, state.extremes());
+    let mut state = State::zeroed();
+    state.extremes.friction = friction;
+    motions.move_to(cell.drive.scale, gap, &mut state);
+    let (mut y, mut extremes) = (state.motion, state.extremes);
     let mut forcing = Forcing::new(zero);
-    forcing.begin(0, set, gap as u32 * cell.substeps, false);
-    for _ in 0..cell.substeps {
+    forcing.begin(0, set, gap as u32 * cell.steps.substeps, false);
+    for _ in 0..cell.steps.substeps {
         let grounds = [zero, half, one].map(|at| forcing.ground(variant, cell, at));
         let k1 = rates(set, corner, none, &y, grounds[0]);
         let stepped = rk4(set, corner, none, &y, &k1, forcing.step, [grounds[1], grounds[2]]);

@@ -35,20 +35,20 @@ impl<R: Real> Start<R> {
         let (mut cell, state) = plan.cell::<R>(case);
         if direction == Direction::Horizontal {
             // X by itself: divided by g it is the friction demand where the ground does not move vertically.
-            cell.amplitude_v = R::of(0.0);
+            cell.drive.amplitude_v = R::of(0.0);
         }
-        let after = after.min(cell.steps - cell.steps_forced);
+        let after = after.min(cell.steps.steps - cell.steps.steps_forced);
         Start { model, cell, state, after }
     }
 
     /// Steps of the motion.
     pub fn steps(&self) -> u32 {
-        self.cell.steps_forced + self.after
+        self.cell.steps.steps_forced + self.after
     }
 
     /// The number of its samples, which end its gaps.
     pub fn samples(&self) -> usize {
-        (self.steps() / self.cell.substeps) as usize + 1
+        (self.steps() / self.cell.steps.substeps) as usize + 1
     }
 }
 

@@ -1,107 +1,60 @@
 //! Results run again: where a record came from, scenes that flags make, and `topple run` of earlier results.
 
 use std::fs;
-use std::path::Path;
 
-use crate::common::command::Command;
-use tempfile::TempDir;
 use topple::scene::builder::SceneBuilder;
 
-use crate::common::refused;
+use crate::common::room::Room;
 
-/// Runs a command into a directory.
-fn run(arguments: &[&str], out: &Path) {
-    let mut command = Command::topple();
-    command.args(arguments).arg("-q").arg("--out").arg(out).assert().success();
-}
-
-fn json(out: &Path) -> serde_json::Value {
-    serde_json::from_slice(&fs::read(out.join("run.json")).unwrap()).unwrap()
-}
-
-fn same_map(one: &Path, other: &Path) {
-    for file in ["map.npz", "map.csv"] {
-        assert!(fs::read(one.join(file)).unwrap() == fs::read(other.join(file)).unwrap(), "{file}");
-    }
-}
+const CPU: &str = "--backend cpu --verify none -q";
+const MAP: [&str; 2] = ["map.npz", "map.csv"];
 
 /// Three axes, of which two were chosen for the picture, and settings other than the usual ones.
-const PULSE: [&str; 26] = [
-    "pulse",
-    "--object",
-    "2",
-    "--overturn",
-    "quarter-turn",
-    "--pulse",
-    "one-cosine",
-    "--t-h",
-    "1:2:3",
-    "--t-v",
-    "0.5",
-    "--omega",
-    "6",
-    "--eccentricity",
-    "-0.2,0.3",
-    "--a-h",
-    "2:8:5:log",
-    "--t-max",
-    "4",
-    "--u-y",
-    "0.02",
-    "--y",
-    "eccentricity",
-    "--precision",
-    "f64",
-    "--full-model",
-];
+const PULSE: &str = "pulse --object 2 --overturn quarter-turn --pulse one-cosine --t-h 1:2:3 --t-v 0.5 --omega 6 \
+    --eccentricity -0.2,0.3 --a-h 2:8:5:log --t-max 4 --u-y 0.02 --y eccentricity --precision f64 --full-model";
+const PANEL: &str = "pulse --object 1 --t-h 1.75 --t-v 0.75 --t-max 3 --omega 3:12:9 --a-h 1:12:9";
+const CELL: &str = "history --object 1 --t-h 1.75 --t-v 0.75 --omega 9 --a-h 8.4 --t-max 3";
+const PERIODS: &str = "--t-h 1:3:4 --t-v 0.05:0.4:4";
 
 #[test]
 fn a_map_runs_again_from_each_of_its_files() {
-    let (first, again) = (TempDir::new().unwrap(), TempDir::new().unwrap());
-    let step =
-        ["--step", "0.00390625", "--backend", "cpu", "--verify", "none", "--files", "csv,npz,zarr"];
-    run(&[&PULSE[..], &step].concat(), first.path());
-    let at = |name: &str| first.path().join(name).display().to_string();
+    let room = Room::new();
+    room.run(&format!("{PULSE} --step 0.00390625 {CPU} --files csv,npz,zarr --out ./first"));
     for given in ["", "run.json", "map.csv"] {
-        run(&["run", &at(given), "--backend", "cpu"], again.path());
-        same_map(first.path(), again.path());
+        room.run(&format!("run ./first/{given} --backend cpu -q --out ./again"));
+        room.same("first", "again", &MAP);
     }
     // The arrays tell the scene, not how it was computed.
     for given in ["map.npz", "map.zarr"] {
-        let method = ["--precision", "f64", "--full-model", "--step", "0.00390625"];
-        run(&[&["run", &at(given), "--backend", "cpu"][..], &method].concat(), again.path());
-        same_map(first.path(), again.path());
+        let method = "--precision f64 --full-model --step 0.00390625 --backend cpu";
+        room.run(&format!("run ./first/{given} {method} -q --out ./again"));
+        room.same("first", "again", &MAP);
     }
     // A flag says otherwise.
-    run(&["run", &at("run.json"), "--backend", "cpu", "--precision", "f32"], again.path());
-    assert_eq!(json(again.path())["precision"], "f32");
-    assert_eq!(json(again.path())["largest_step"], 0.003_906_25);
-    assert_eq!(json(again.path())["full_model"], true);
+    room.run("run ./first/run.json --backend cpu --precision f32 -q --out ./again");
+    let json = room.json("again");
+    assert_eq!((&json["precision"], &json["full_model"]), (&"f32".into(), &true.into()));
+    assert_eq!(json["largest_step"], 0.003_906_25);
 }
 
-/// A record of a second in two columns, and its file.
-fn record(folder: &Path, peak: f64) -> String {
-    let path = folder.join("mine.txt");
+/// A record of a second in two columns, as mine.txt of a folder.
+fn record(room: &Room, folder: &str, peak: f64) {
     let row = |k: usize| {
         let t = k as f64 * 0.02;
         format!("{t:.2} {:.6}\n", peak * (12.0 * t).sin() * (-t).exp())
     };
-    fs::write(&path, (0..150).map(row).collect::<String>()).unwrap();
-    path.display().to_string()
+    room.write(&format!("{folder}/mine.txt"), (0..150).map(row).collect::<String>());
 }
 
 #[test]
 fn a_record_is_found_again_or_missed() {
-    let (place, first, again) =
-        (TempDir::new().unwrap(), TempDir::new().unwrap(), TempDir::new().unwrap());
-    let file = record(place.path(), 0.6);
-    let record_flags =
-        ["seismic", "--object", "1", "--horizontal", &file, "--units", "g", "--pga", "7"];
-    let axes = ["--t-h", "1:3:4", "--t-v", "0.05:0.4:4", "--verify", "none", "--backend", "cpu"];
-    run(&[&record_flags[..], &axes].concat(), first.path());
-    let told = json(first.path());
+    let room = Room::new();
+    record(&room, "place", 0.6);
+    let of = "seismic --object 1 --horizontal ./place/mine.txt --units g --pga 7";
+    room.run(&format!("{of} {PERIODS} {CPU} --out ./first"));
+    let told = room.json("first");
     let source = &told["record"]["horizontal"];
-    assert_eq!(source["path"], file.as_str());
+    assert_eq!(source["path"], room.at("place/mine.txt").to_str().unwrap());
     assert_eq!((&source["format"], &source["units"]), (&"columns".into(), &"g".into()));
     assert_eq!((&source["samples"], &source["dt"]), (&150.into(), &0.02.into()));
     assert_eq!(source["sha256"].as_str().unwrap().len(), 64);
@@ -111,156 +64,99 @@ fn a_record_is_found_again_or_missed() {
     assert!((pair["pga_h"].as_f64().unwrap() - 7.0).abs() < 1e-12);
     assert!(pair["notes"][0].as_str().unwrap().contains("scaled by"), "{pair}");
 
-    let results = first.path().join("run.json").display().to_string();
-    let same = ["run", &results, "--backend", "cpu"];
+    let again = |given: &str| {
+        room.run(&format!("run ./first/{given} --backend cpu -q --out ./again"));
+        room.same("first", "again", &MAP);
+    };
     // The arrays name the file alone; run.json beside them tells its place.
-    let array = first.path().join("map.npz").display().to_string();
-    run(&["run", &array, "--backend", "cpu"], again.path());
-    same_map(first.path(), again.path());
-    run(&same, again.path());
-    same_map(first.path(), again.path());
-    assert_eq!(json(again.path())["record"], told["record"]);
+    again("map.npz");
+    again("run.json");
+    assert_eq!(room.json("again")["record"], told["record"]);
     // Beside the results it is found, too; elsewhere it is missed, by name.
-    fs::rename(&file, first.path().join("mine.txt")).unwrap();
-    run(&same, again.path());
-    same_map(first.path(), again.path());
-    run(&["run", &array, "--backend", "cpu"], again.path());
-    same_map(first.path(), again.path());
-    fs::remove_file(first.path().join("mine.txt")).unwrap();
-    assert!(
-        refused(&same)
-            .contains("mine.txt is not there; put it into the directory of the results (SHA-256 ")
-    );
+    fs::rename(room.at("place/mine.txt"), room.at("first/mine.txt")).unwrap();
+    again("run.json");
+    again("map.npz");
+    room.remove("first/mine.txt");
+    let missed = "mine.txt is not there; put it into the directory of the results (SHA-256 ";
+    room.refuses("run ./first/run.json --backend cpu", &[missed]);
     // Another record of that name is another record.
-    record(place.path(), 0.7);
-    assert!(refused(&same).contains("mine.txt has changed since that run"));
+    record(&room, "place", 0.7);
+    room.refuses("run ./first/run.json --backend cpu", &["mine.txt has changed since that run"]);
 }
 
 /// Shards on machines with their records in other folders are shards of one map, which runs again.
 #[test]
 fn a_joined_map_of_a_record_runs_again() {
-    let place = TempDir::new().unwrap();
-    let scene =
-        ["seismic", "--object", "1", "--units", "m/s2", "--t-h", "1:3:4", "--t-v", "0.05:0.4:4"];
-    let parts = place.path().join("parts");
-    for (k, name) in [(1, "here"), (2, "there")] {
-        let folder = place.path().join(name);
-        fs::create_dir(&folder).unwrap();
-        let file = record(&folder, 6.0);
-        let tile = format!("{k}/2");
-        run(
-            &[&scene[..], &["--horizontal", &file, "--tile", &tile, "--backend", "cpu"]].concat(),
-            &parts,
-        );
+    let room = Room::new();
+    for (tile, name) in [("1/2", "here"), ("2/2", "there")] {
+        record(&room, name, 6.0);
+        let of = format!("seismic --object 1 --units m/s2 --horizontal ./{name}/mine.txt");
+        room.run(&format!("{of} {PERIODS} --tile {tile} --backend cpu -q --out ./parts"));
     }
-    let map = place.path().join("map");
-    let parts = parts.display().to_string();
-    run(&["merge", &parts, "--verify", "none"], &map);
-    let told = json(&map);
+    room.run("merge ./parts --verify none -q --out ./map");
+    let told = room.json("map");
     assert!(told["record"]["horizontal"]["path"].as_str().unwrap().contains("here"));
     assert!(told["parts"][1]["record"]["horizontal"]["path"].as_str().unwrap().contains("there"));
-    let again = place.path().join("again");
-    run(&["run", &map.display().to_string(), "--backend", "cpu"], &again);
-    same_map(&map, &again);
+    room.run("run ./map --backend cpu -q --out ./again");
+    room.same("map", "again", &MAP);
 }
-
-const PANEL: [&str; 17] = [
-    "pulse",
-    "--object",
-    "1",
-    "--t-h",
-    "1.75",
-    "--t-v",
-    "0.75",
-    "--t-max",
-    "3",
-    "--omega",
-    "3:12:9",
-    "--a-h",
-    "1:12:9",
-    "--backend",
-    "cpu",
-    "--verify",
-    "none",
-];
 
 /// What a map has besides its cells, it has again; a flag says otherwise, and what it excludes is told.
 #[test]
 fn a_refined_map_runs_again_with_all_it_had() {
-    let place = TempDir::new().unwrap();
-    let (first, again) = (place.path().join("first"), place.path().join("again"));
-    let besides = ["--refine", "2", "--smooth", "0.05", "--sharpness", "--files", "csv,zarr"];
-    run(&[&PANEL[..], &besides].concat(), &first);
-    let results = first.display().to_string();
-    run(&["run", &results, "--verify", "none"], &again);
-    for file in ["map.csv", "leaves.csv", "refined.svg", "map.svg"] {
-        assert!(
-            fs::read(first.join(file)).unwrap() == fs::read(again.join(file)).unwrap(),
-            "{file}"
-        );
-    }
-    let [then, now] = [&first, &again].map(|out| json(out));
+    let room = Room::new();
+    let besides = "--refine 2 --smooth 0.05 --sharpness --files csv,zarr";
+    room.run(&format!("{PANEL} {CPU} {besides} --out ./first"));
+    room.run("run ./first --verify none -q --out ./again");
+    room.same("first", "again", &["map.csv", "leaves.csv", "refined.svg", "map.svg"]);
+    let [then, now] = ["first", "again"].map(|out| room.json(out));
+    let levels = |json: &serde_json::Value| json["refined"]["levels"].as_array().unwrap().len();
     assert_eq!(then["files"], now["files"]);
     assert_eq!(now["refined"]["smooth"], 0.05);
-    assert_eq!(now["refined"]["levels"].as_array().unwrap().len(), 2);
+    assert_eq!(levels(&now), 2);
     assert_eq!(then["sharpness"], now["sharpness"]);
     assert!(!now["sharpness"].is_null());
     // Flags say otherwise.
-    let others = ["--refine", "1", "--smooth", "0.2", "--files", "npz", "--verify", "none"];
-    run(&[&["run", &results][..], &others].concat(), &again);
-    assert_eq!(json(&again)["refined"]["levels"].as_array().unwrap().len(), 1);
-    assert_eq!(json(&again)["refined"]["smooth"], 0.2);
-    assert!(again.join("map.npz").exists() && !again.join("map.csv").exists());
+    room.run("run ./first --refine 1 --smooth 0.2 --files npz --verify none -q --out ./again");
+    let now = room.json("again");
+    assert_eq!((levels(&now), &now["refined"]["smooth"]), (1, &0.2.into()));
+    assert!(room.has("again/map.npz") && !room.has("again/map.csv"));
     // What a flag excludes is left out with a word, flag by flag.
-    let excluded = |flags: &[&str], left_out: &[&str]| {
-        let out = place.path().join(flags.join("").replace('/', "-"));
-        let mut command = Command::topple();
-        command.args(["run", &results, "-q", "--out"]).arg(&out).args(flags);
-        let said = command.assert().success().get_output().stderr.clone();
-        let said = String::from_utf8(said).unwrap();
-        let lines: Vec<&str> = said.lines().collect();
-        assert_eq!(lines.len(), left_out.len(), "{said}");
-        for (line, flag) in lines.iter().zip(left_out) {
+    for (flags, out, left_out) in [
+        ("--tile 1/2", "tile", &["--refine", "--sharpness"][..]),
+        ("--repair --verify none", "repair", &["--refine"]),
+        ("--pixel --samples 2 --verify none", "pixel", &["--refine", "--sharpness"]),
+        ("--dry-run", "dry", &["--refine", "--sharpness"]),
+    ] {
+        let said = room.run(&format!("run ./first -q --out ./{out} {flags}")).err;
+        assert_eq!(said.lines().count(), left_out.len(), "{said}");
+        for (line, flag) in said.lines().zip(left_out) {
             let wanted = format!("{flag} of that run cannot stand beside the flags given");
             assert!(line.contains(&wanted), "{said}");
         }
-    };
-    excluded(&["--tile", "1/2"], &["--refine", "--sharpness"]);
-    excluded(&["--repair", "--verify", "none"], &["--refine"]);
-    excluded(&["--pixel", "--samples", "2", "--verify", "none"], &["--refine", "--sharpness"]);
-    excluded(&["--dry-run"], &["--refine", "--sharpness"]);
+    }
     // Parts have no run.json, leaves no map of their own.
-    let parts = place.path().join("--tile1-2");
-    for given in [parts.clone(), parts.join("part-1-of-2")] {
-        let line = refused(&["run", &given.display().to_string()]);
-        assert!(line.contains("shards of a map; join them by topple merge"), "{line}");
+    for given in ["tile", "tile/part-1-of-2"] {
+        let said = "shards of a map; join them by topple merge";
+        room.refuses(&format!("run ./{given}"), &[said]);
     }
     for leaves in ["leaves.npz", "leaves.zarr"] {
-        let line = refused(&["run", &first.join(leaves).display().to_string()]);
-        assert!(line.contains("leaves of a refined map; give the run.json beside them"), "{line}");
+        let said = "leaves of a refined map; give the run.json beside them";
+        room.refuses(&format!("run ./first/{leaves}"), &[said]);
     }
 }
 
 #[test]
 fn a_repaired_map_and_a_resolved_one_run_again_as_such() {
-    let place = TempDir::new().unwrap();
-    let again = place.path().join("again");
-    for (flag, key, other) in
-        [("--repair", "repair", "--refine"), ("--resolve", "resolve", "--repair")]
-    {
-        let first = place.path().join(key);
-        run(&[&PANEL[..], &[flag]].concat(), &first);
-        let results = first.display().to_string();
-        run(&["run", &results, "--verify", "none"], &again);
-        same_map(&first, &again);
-        assert_eq!(json(&again)[key], true);
-        let more: &[&str] = if other == "--refine" { &["--refine", "1"] } else { &["--repair"] };
-        let mut command = Command::topple();
-        command.args(["run", &results, "-q", "--verify", "none", "--out"]).arg(&again).args(more);
-        let said = command.assert().success().get_output().stderr.clone();
-        let said = String::from_utf8(said).unwrap();
-        assert!(said.contains(&format!("{flag} of that run cannot stand beside")), "{said}");
-        assert_eq!(json(&again)[key], false);
+    let room = Room::new();
+    for (key, other) in [("repair", "--refine 1"), ("resolve", "--repair")] {
+        room.run(&format!("{PANEL} {CPU} --{key} --out ./{key}"));
+        room.run(&format!("run ./{key} --verify none -q --out ./again"));
+        room.same(key, "again", &MAP);
+        assert_eq!(room.json("again")[key], true);
+        let said = room.run(&format!("run ./{key} -q --verify none --out ./again {other}")).err;
+        assert!(said.contains(&format!("--{key} of that run cannot stand beside")), "{said}");
+        assert_eq!(room.json("again")[key], false);
     }
 }
 
@@ -268,80 +164,58 @@ fn a_repaired_map_and_a_resolved_one_run_again_as_such() {
 /// the results.
 #[test]
 fn runs_under_a_suite_are_repeated_from_their_directory() {
-    let place = TempDir::new().unwrap();
-    let at = |name: &str| place.path().join(name);
-    let put = |folder: &Path| {
-        fs::create_dir_all(folder).unwrap();
-        record(folder, 0.6);
-        fs::write(folder.join("list.csv"), "id,horizontal,units\none,mine.txt,g\ntwo,none.txt,g\n")
-            .unwrap();
-        fs::write(folder.join("site.csv"), "pga [g],rate\n0.1,1e-2\n3,1e-5\n").unwrap();
+    let room = Room::new();
+    let put = |folder: &str| {
+        record(&room, folder, 0.6);
+        let list = "id,horizontal,units\none,mine.txt,g\ntwo,none.txt,g\n";
+        room.write(&format!("{folder}/list.csv"), list);
+        room.write(&format!("{folder}/site.csv"), "pga [g],rate\n0.1,1e-2\n3,1e-5\n");
     };
-    put(&at("work"));
+    put("work");
     let base = "--object 1 --u-y 0.01 --t-h 1.5,2 --t-v 0.5 --suite list.csv --verify none -q --precision f64 --force";
     let fragility = "--levels 2:30:6:log --bootstrap 60 --seed 7 --limit-u 0.3 --hazard site.csv --target 1e-4 \
         --resample recording --export pelicun --both-directions";
-    for (command, own, table, files) in [
-        (
-            "fragility",
-            fragility,
-            "fits.csv",
-            &["fits.csv", "rates.csv", "fragility_pelicun.csv"][..],
-        ),
-        ("envelope", "--standing 0.5 --limit-u 0.3", "envelope.csv", &["envelope.csv", "zeta.csv"]),
+    let envelope = "--standing 0.5 --limit-u 0.3";
+    for (command, own, files) in [
+        ("fragility", fragility, &["fits.csv", "rates.csv", "fragility_pelicun.csv"][..]),
+        ("envelope", envelope, &["envelope.csv", "zeta.csv"]),
     ] {
         let line = format!("{command} {base} {own} --out {command}");
-        let mut first = Command::topple();
-        first.current_dir(at("work")).args(line.split_whitespace()).assert().success();
-        let results = at("work").join(command);
-        let same = |again: &str| {
-            for file in files {
-                let read = |out: &Path| fs::read(out.join(file)).unwrap();
-                assert!(read(&results) == read(&at(again)), "{again}: {file}");
-            }
-        };
-        for given in ["", "run.json", table] {
-            run(&["run", &results.join(given).display().to_string()], &at("again"));
-            same("again");
+        // Of relative paths.
+        room.process(&line).current_dir(room.at("work")).assert().success();
+        let results = format!("work/{command}");
+        for given in ["", "run.json", files[0]] {
+            room.run(&format!("run ./{results}/{given} -q --out ./again"));
+            room.same(&results, "again", files);
         }
         // What of the suite is left out is said.
-        let left_out = &json(&results)["left_out"];
+        let left_out = &room.json(&results)["left_out"];
         assert_eq!(left_out["two"], "none.txt is in the list and not among the files");
         // What is repeated can be repeated.
-        run(&["run", &at("again").display().to_string()], &at("third"));
-        same("third");
-        for name in ["again", "third"] {
-            fs::remove_dir_all(at(name)).unwrap();
-        }
-        let given = results.display().to_string();
-        for flag in [&["--precision", "f32"][..], &["--verify", "3"], &["--refine", "2"]] {
-            let line = refused(&[&["run", &given][..], flag].concat());
-            assert!(
-                line.contains(&format!("{}: a run under a suite is repeated as it was", flag[0])),
-                "{line}"
-            );
+        room.run("run ./again -q --out ./third");
+        room.same(&results, "third", files);
+        ["again", "third"].iter().for_each(|name| room.remove(name));
+        for flag in ["--precision f32", "--verify 3", "--refine 2"] {
+            let name = flag.split(' ').next().unwrap();
+            let said = format!("{name}: a run under a suite is repeated as it was");
+            room.refuses(&format!("run ./{results} {flag}"), &[&said]);
         }
     }
     // The folder is somewhere else: what it needs lies beside the results.
-    fs::rename(at("work"), at("moved")).unwrap();
-    let moved = at("moved").join("fragility");
-    let line = refused(&["run", &moved.display().to_string()]);
-    assert!(line.contains("--hazard: site.csv is neither in "), "{line}");
-    put(&moved);
-    run(&["run", &moved.display().to_string()], &at("again"));
-    let read = |out: &Path| fs::read(out.join("rates.csv")).unwrap();
-    assert!(read(&moved) == read(&at("again")));
+    fs::rename(room.at("work"), room.at("moved")).unwrap();
+    let moved = "moved/fragility";
+    let run = format!("run ./{moved} -q --out ./again");
+    room.refuses(&run, &["--hazard: site.csv is neither in "]);
+    put(moved);
+    room.run(&run);
+    room.same(moved, "again", &["rates.csv"]);
     // A record that has changed, and a factor, are noticed as those of a map are, and so are motions that come or go.
-    let again = at("again").display().to_string();
-    record(&moved, 0.7);
-    let line = refused(&["run", &moved.display().to_string()]);
-    assert!(
-        line.contains("list.csv: the motion one has changed since the run; put back"),
-        "{line}"
-    );
-    record(&moved, 0.6);
+    record(&room, moved, 0.7);
+    room.refuses(&run, &["list.csv: the motion one has changed since the run; put back"]);
+    record(&room, moved, 0.6);
     let list = |rows: &str| {
-        fs::write(moved.join("list.csv"), format!("id,horizontal,units,scale\n{rows}")).unwrap();
+        let list = format!("id,horizontal,units,scale\n{rows}");
+        room.write(&format!("{moved}/list.csv"), list);
     };
     for (rows, says) in [
         ("one,mine.txt,g,1.5\n", "the motion one has changed since the run"),
@@ -349,36 +223,26 @@ fn runs_under_a_suite_are_repeated_from_their_directory() {
         ("one,mine.txt,g,1\nmore,mine.txt,g,2\n", "the motion more was not there in the run"),
     ] {
         list(rows);
-        let line = refused(&["run", &moved.display().to_string()]);
-        assert!(line.contains(says), "{line}");
+        room.refuses(&run, &[says]);
     }
     list("one,mine.txt,g,1\n");
-    run(&["run", &moved.display().to_string()], Path::new(&again));
+    room.run(&run);
 }
 
 /// Results of every kind run again, or are refused with the command that does it.
 #[test]
 fn what_topple_run_does_not_run_again_names_its_command() {
-    let place = TempDir::new().unwrap();
-    let file = record(place.path(), 0.6);
-    let list = place.path().join("list.csv");
-    fs::write(&list, format!("id,horizontal,units\none,{file},g\n")).unwrap();
-    let list = list.display().to_string();
-    let base =
-        ["--object", "1", "--u-y", "0.01", "--t-h", "1.5,2", "--t-v", "0.5", "--suite", &list];
-    let levels =
-        ["--levels", "2,8,30", "--bootstrap", "39", "--verify", "none", "--backend", "cpu"];
-    let at = |name: &str| place.path().join(name);
-    run(&[&["fragility"][..], &base, &levels].concat(), &at("fragility"));
-    run(
-        &[&["envelope"][..], &base, &["--verify", "none", "--backend", "cpu"]].concat(),
-        &at("envelope"),
-    );
-    run(&["suite", &list], &at("suite"));
+    let room = Room::new();
+    record(&room, ".", 0.6);
+    room.write("list.csv", "id,horizontal,units\none,mine.txt,g\n");
+    let base = format!("--object 1 --u-y 0.01 --t-h 1.5,2 --t-v 0.5 --suite ./list.csv {CPU}");
+    room.run(&format!("fragility {base} --levels 2,8,30 --bootstrap 39 --out ./fragility"));
+    room.run(&format!("envelope {base} --out ./envelope"));
+    room.run("suite ./list.csv -q --out ./suite");
     for name in ["fragility", "envelope"] {
-        let mut told = json(&at(name));
+        let mut told = room.json(name);
         told.as_object_mut().unwrap().remove("command").unwrap();
-        fs::write(at(name).join("run.json"), told.to_string()).unwrap();
+        room.write(&format!("{name}/run.json"), told.to_string());
     }
     for (name, file, says) in [
         ("fragility", "fits.csv", "its run.json has no command; run it again by topple fragility"),
@@ -389,161 +253,110 @@ fn what_topple_run_does_not_run_again_names_its_command() {
         ),
         ("suite", "suite.csv", "a suite is no scene; read it again by topple suite"),
     ] {
-        for given in [at(name), at(name).join("run.json"), at(name).join(file)] {
-            let line = refused(&["run", &given.display().to_string()]);
-            assert!(line.contains(says), "{line}");
+        for given in ["", "run.json", file] {
+            room.refuses(&format!("run ./{name}/{given}"), &[says]);
         }
     }
     // Flags of a map mean nothing to a history or to probabilities.
-    let cell = ["history", "--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--omega", "9"];
-    run(&[&cell[..], &["--a-h", "8.4", "--t-max", "3"]].concat(), &at("history"));
-    run(&[&PANEL[..], &["--pixel", "--samples", "2"]].concat(), &at("probability"));
+    room.run(&format!("{CELL} -q --out ./history"));
+    room.run(&format!("{PANEL} {CPU} --pixel --samples 2 --out ./probability"));
     for (name, flags, says) in [
-        ("history", &["--refine", "2"][..], "a time history has no --refine; leave that out"),
-        ("history", &["--verify", "4"], "a time history has no --verify"),
-        ("history", &["--pixel"], "a time history has no --pixel"),
-        ("probability", &["--refine", "2"], "a probability map has no --refine"),
-        ("probability", &["--tile", "1/2"], "a probability map has no --tile"),
+        ("history", "--refine 2", "a time history has no --refine; leave that out"),
+        ("history", "--verify 4", "a time history has no --verify"),
+        ("history", "--pixel", "a time history has no --pixel"),
+        ("probability", "--refine 2", "a probability map has no --refine"),
+        ("probability", "--tile 1/2", "a probability map has no --tile"),
     ] {
-        let given = at(name).display().to_string();
-        let line = refused(&[&["run", &given][..], flags].concat());
-        assert!(line.contains(says), "{line}");
+        room.refuses(&format!("run ./{name} {flags}"), &[says]);
     }
-    run(&["run", &at("probability").display().to_string()], &at("again"));
-    let read = |name: &str| fs::read(at(name).join("probability.csv")).unwrap();
-    assert!(read("probability") == read("again"));
+    room.run("run ./probability -q --out ./again");
+    room.same("probability", "again", &["probability.csv"]);
 }
 
 #[test]
 fn a_history_runs_again() {
-    let (first, again) = (TempDir::new().unwrap(), TempDir::new().unwrap());
-    let cell = [
-        "history", "--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--omega", "9", "--a-h",
-        "8.4",
-    ];
-    run(&[&cell[..], &["--precision", "f64", "--t-max", "3"]].concat(), first.path());
-    run(&["run", &first.path().display().to_string()], again.path());
-    for file in ["history.csv", "history.svg"] {
-        let read = |out: &TempDir| fs::read(out.path().join(file)).unwrap();
-        assert!(read(&first) == read(&again), "{file}");
-    }
-    assert_eq!(json(again.path())["precision"], "f64");
+    let room = Room::new();
+    room.run(&format!("{CELL} --precision f64 -q --out ./first"));
+    room.run("run ./first -q --out ./again");
+    room.same("first", "again", &["history.csv", "history.svg"]);
+    assert_eq!(room.json("again")["precision"], "f64");
 }
 
 #[test]
 fn flags_are_saved_as_a_scene() {
-    let place = TempDir::new().unwrap();
-    let file = place.path().join("mine").join("scene.toml");
-    let saved = file.display().to_string();
-    let (flags, scene) = (place.path().join("flags"), place.path().join("scene"));
-    let method = ["--precision", "f64", "--full-model", "--backend", "cpu", "--verify", "none"];
-    run(&[&PULSE[..], &["--backend", "cpu", "--verify", "none"]].concat(), &flags);
-    run(&[&PULSE[..], &["--save-scene", &saved]].concat(), &scene);
-    assert!(!scene.exists(), "a scene is saved, and nothing run");
+    let room = Room::new();
+    room.run(&format!("{PULSE} {CPU} --out ./flags"));
+    let save = format!("{PULSE} --save-scene ./mine/scene.toml --out ./scene");
+    room.run(&save);
+    assert!(!room.has("scene"), "a scene is saved, and nothing run");
     // What is there stays, whatever it is.
-    let written = fs::read(&saved).unwrap();
-    let again = [&PULSE[..], &["--save-scene", &saved]].concat();
-    assert!(refused(&again).contains("is there already; give another name"));
-    assert_eq!(fs::read(&saved).unwrap(), written);
-    run(&[&["run", &saved][..], &method].concat(), &scene);
-    same_map(&flags, &scene);
+    let written = room.bytes("mine/scene.toml");
+    room.refuses(&save, &["is there already; give another name"]);
+    assert_eq!(room.bytes("mine/scene.toml"), written);
+    room.run(&format!("run ./mine/scene.toml --precision f64 --full-model {CPU} --out ./scene"));
+    room.same("flags", "scene", &MAP);
 
     // A record is named by its whole path; the made pair lies beside the scene.
-    let axes = ["--object", "1", "--t-h", "1:3:4", "--t-v", "0.05:0.4:4"];
-    let of_record = ["--backend", "cpu", "--verify", "none"];
-    run(&[&["seismic"][..], &axes, &of_record].concat(), &flags);
-    let saved = place.path().join("mine").join("record.toml").display().to_string();
-    run(&[&["seismic", "--save-scene", &saved][..], &axes].concat(), &scene);
-    assert!(place.path().join("mine").join("synthetic_h.at2").exists());
-    run(&[&["run", &saved][..], &of_record].concat(), &scene);
-    same_map(&flags, &scene);
+    let of = format!("seismic --object 1 {PERIODS}");
+    room.run(&format!("{of} {CPU} --out ./flags"));
+    room.run(&format!("{of} -q --save-scene ./mine/record.toml --out ./scene"));
+    assert!(room.has("mine/synthetic_h.at2"));
+    room.run(&format!("run ./mine/record.toml {CPU} --out ./scene"));
+    room.same("flags", "scene", &MAP);
 
-    assert!(refused(&["pulse", "--object", "1", "--save-scene", &saved]).contains("--t-h"));
-    let to_stdout = Command::topple().args(PULSE).args(["--save-scene", "-"]).output();
-    let text = String::from_utf8(to_stdout.unwrap().stdout).unwrap();
+    room.refuses("pulse --object 1 --save-scene ./mine/record.toml", &["--t-h"]);
+    let text = room.run(&format!("{PULSE} --save-scene -")).out;
     assert!(SceneBuilder::from_toml(&text).unwrap().check().is_ok(), "{text}");
 }
 
 /// The order of the axes is that of the flags, or the scene is refused.
 #[test]
 fn axes_keep_their_order_in_a_scene() {
-    let place = TempDir::new().unwrap();
-    let first_line = |out: &Path| {
-        let table = fs::read_to_string(out.join("map.csv")).unwrap();
-        table.lines().next().unwrap().to_string()
-    };
-    let common = ["pulse", "--object", "1", "--omega", "3", "--a-h", "4:6:2", "--t-max", "2"];
-    let usual = ["--backend", "cpu", "--verify", "none"];
+    let room = Room::new();
+    let common = "pulse --object 1 --omega 3 --a-h 4:6:2 --t-max 2";
     for (k, axes) in [
-        ["--eccentricity", "0,0.2", "--t-h", "1", "--t-v", "0.5", "--psi", "0.1,0.3"],
-        ["--psi", "0.1,0.3", "--t-h", "1", "--t-v", "0.5", "--eccentricity", "0,0.2"],
+        "--eccentricity 0,0.2 --t-h 1 --t-v 0.5 --psi 0.1,0.3",
+        "--psi 0.1,0.3 --t-h 1 --t-v 0.5 --eccentricity 0,0.2",
     ]
-    .iter()
+    .into_iter()
     .enumerate()
     {
-        let saved = place.path().join(format!("{k}.toml")).display().to_string();
-        let flags = [&common[..], &axes[..]].concat();
-        let (direct, again) = (place.path().join("direct"), place.path().join("again"));
-        run(&[&flags[..], &usual].concat(), &direct);
-        run(&[&flags[..], &["--save-scene", &saved]].concat(), &again);
-        run(&[&["run", &saved][..], &usual].concat(), &again);
-        assert_eq!(first_line(&direct), first_line(&again));
-        same_map(&direct, &again);
+        let flags = format!("{common} {axes}");
+        let saved = format!("./{k}.toml");
+        room.run(&format!("{flags} {CPU} --out ./direct"));
+        room.run(&format!("{flags} -q --save-scene {saved}"));
+        room.run(&format!("run {saved} {CPU} --out ./again"));
+        assert_eq!(room.heading("direct/map.csv"), room.heading("again/map.csv"));
+        room.same("direct", "again", &MAP);
     }
-    let mixed = [
-        "--psi",
-        "0.1,0.3",
-        "--eccentricity",
-        "0,0.2",
-        "--xi-h",
-        "0.1,0.2",
-        "--t-h",
-        "1",
-        "--t-v",
-        "1",
-    ];
-    let saved = place.path().join("mixed.toml").display().to_string();
-    let line = refused(&[&common[..], &mixed, &["--save-scene", &saved]].concat());
-    assert!(line.contains("in a file the axes would have another order"), "{line}");
+    let mixed = "--psi 0.1,0.3 --eccentricity 0,0.2 --xi-h 0.1,0.2 --t-h 1 --t-v 1";
+    let said = "in a file the axes would have another order";
+    room.refuses(&format!("{common} {mixed} --save-scene ./mixed.toml"), &[said]);
 }
 
 /// A run of the reference is one again.
 #[test]
 fn the_backend_is_that_of_then() {
-    let (first, again) = (TempDir::new().unwrap(), TempDir::new().unwrap());
-    let cells = ["--omega", "3", "--a-h", "4:6:3", "--t-h", "1", "--t-v", "1", "--t-max", "2"];
-    run(
-        &[&["pulse", "--object", "1", "--backend", "reference"][..], &cells].concat(),
-        first.path(),
-    );
-    let results = first.path().display().to_string();
-    run(&["run", &results], again.path());
-    assert_eq!(json(again.path())["backend"], "reference");
-    same_map(first.path(), again.path());
-    run(&["run", &results, "--backend", "cpu"], again.path());
-    assert_eq!(json(again.path())["backend"], "cpu");
+    let room = Room::new();
+    let cells = "--omega 3 --a-h 4:6:3 --t-h 1 --t-v 1 --t-max 2";
+    room.run(&format!("pulse --object 1 --backend reference {cells} -q --out ./first"));
+    room.run("run ./first -q --out ./again");
+    assert_eq!(room.json("again")["backend"], "reference");
+    room.same("first", "again", &MAP);
+    room.run("run ./first --backend cpu -q --out ./again");
+    assert_eq!(room.json("again")["backend"], "cpu");
 }
 
 /// What is saved of a history is run as one.
 #[test]
 fn a_history_is_saved_and_run() {
-    let place = TempDir::new().unwrap();
-    let saved = place.path().join("cell.toml").display().to_string();
-    let cell = ["history", "--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--omega", "9"];
-    let cell = [&cell[..], &["--a-h", "8.4", "--t-max", "3"]].concat();
-    let said = Command::topple().args(&cell).args(["--save-scene", &saved]).output();
-    let said = String::from_utf8(said.unwrap().stdout).unwrap();
-    assert!(said.contains(&format!("topple history {saved} runs it")), "{said}");
-    let (flags, file) = (place.path().join("flags"), place.path().join("file"));
-    run(&cell, &flags);
-    run(&["history", &saved], &file);
-    for name in ["history.csv", "history.svg"] {
-        assert!(
-            fs::read(flags.join(name)).unwrap() == fs::read(file.join(name)).unwrap(),
-            "{name}"
-        );
-    }
-    assert!(refused(&["history", &saved, "--omega", "3"]).contains("a scene's file or the flags"));
+    let room = Room::new();
+    let said = room.run(&format!("{CELL} --save-scene ./cell.toml"));
+    said.has("topple history ./cell.toml runs it");
+    room.run(&format!("{CELL} -q --out ./flags"));
+    room.run("history ./cell.toml -q --out ./file");
+    room.same("flags", "file", &["history.csv", "history.svg"]);
+    room.refuses("history ./cell.toml --omega 3", &["a scene's file or the flags"]);
 }
 
 /// What a scene says, in no order.
@@ -587,12 +400,7 @@ fn scenes_written_are_read_back() {
 
 #[test]
 fn what_is_no_scene_is_named() {
-    let place = TempDir::new().unwrap();
-    let write = |name: &str, text: &str| {
-        let path = place.path().join(name);
-        fs::write(&path, text).unwrap();
-        path.display().to_string()
-    };
+    let room = Room::new();
     let at2 = "PEER\nA, B, C\nACCELERATION IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n.1 .2 .1\n";
     for (name, text, said) in [
         ("a.at2", at2, "a record (PEER AT2), not a scene; give it to topple seismic --horizontal"),
@@ -601,46 +409,38 @@ fn what_is_no_scene_is_named() {
         ("run.json", "{\"kind\": 5}", "no results of this version of topple"),
         ("other.json", "{}", "no results of this version of topple"),
     ] {
-        let line = refused(&["run", &write(name, text)]);
-        assert!(line.contains(said) && line.contains(name), "{name}: {line}");
+        room.write(name, text);
+        room.refuses(&format!("run ./{name}"), &[said, name]);
     }
-    let empty = place.path().join("empty");
-    fs::create_dir(&empty).unwrap();
-    let line = refused(&["run", &empty.display().to_string()]);
-    assert!(line.contains("a directory without run.json"), "{line}");
-    refused(&["run", "nothing.toml"]);
+    room.folder("empty");
+    room.refuses("run ./empty", &["a directory without run.json"]);
+    room.refused("run nothing.toml");
 }
+
+const DEVICES: &str = "device,isolation,radius,mu\nfloor,none,,\npendulum,horizontal,1.5,0.06\n";
+const CURVE: &str = "pga [m/s2],rate\n1,0.01\n3,0.001\n8,0.0001\n";
+const SITE: &str =
+    "--suite ./list.csv --object 1 --backend cpu --verify none --levels 1,4,9 --hazard ./site.csv";
 
 /// A list of devices and a hazard curve are inputs as motions are: a repetition notices that they have changed.
 #[test]
 fn a_list_of_devices_or_a_hazard_curve_that_has_changed_is_refused() {
-    let (place, list) = crate::fragility::suite();
-    let write = |name: &str, text: &str| fs::write(place.path().join(name), text).unwrap();
-    let devices = "device,isolation,radius,mu\nfloor,none,,\npendulum,horizontal,1.5,0.06\n";
-    let curve = "pga [m/s2],rate\n1,0.01\n3,0.001\n8,0.0001\n";
-    write("devices.csv", devices);
-    write("site.csv", curve);
-    let run = |line: &str| {
-        let mut command = Command::topple();
-        command.current_dir(place.path()).args(line.split_whitespace()).assert()
+    let room = Room::suite();
+    room.write("devices.csv", DEVICES);
+    room.write("site.csv", CURVE);
+    room.run(&format!("compare ./devices.csv {SITE} --out ./compared"));
+    room.run(&format!("fragility --isolation none {SITE} --out ./rates"));
+    room.run("run ./compared --out ./again");
+    let refuses = |run: &str, file: &str| {
+        room.refuses(&format!("run ./{run} --out ./other"), &[file, "has changed since the run"]);
     };
-    let block = "--object 1 --backend cpu --verify none --levels 1,4,9 --hazard site.csv";
-    run(&format!("compare devices.csv --suite {list} {block} --out compared")).success();
-    run(&format!("fragility --suite {list} --isolation none {block} --out rates")).success();
-    run("run compared --out again").success();
-    let refused = |line: &str, file: &str| {
-        let assert = run(line).code(2);
-        let said = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
-        assert!(said.contains(file) && said.contains("has changed since the run"), "{said}");
-        assert_eq!(said.lines().count(), 1, "{said}");
-    };
-    write("devices.csv", &devices.replace("1.5", "2.5"));
-    refused("run compared --out other", "DEVICES: ");
-    write("devices.csv", devices);
-    write("site.csv", &curve.replace("0.001", "0.002"));
-    refused("run compared --out other", "--hazard: ");
-    refused("run rates --out other", "--hazard: ");
-    assert!(!place.path().join("other").exists());
+    room.write("devices.csv", DEVICES.replace("1.5", "2.5"));
+    refuses("compared", "DEVICES: ");
+    room.write("devices.csv", DEVICES);
+    room.write("site.csv", CURVE.replace("0.001", "0.002"));
+    refuses("compared", "--hazard: ");
+    refuses("rates", "--hazard: ");
+    assert!(!room.has("other"));
 }
 
 /// Of files that can be read once only, such as pipes, run.json has the checksums of what was read.
@@ -648,29 +448,24 @@ fn a_list_of_devices_or_a_hazard_curve_that_has_changed_is_refused() {
 #[test]
 fn the_checksum_of_a_pipe_is_that_of_what_came_through_it() {
     use topple::scene::record::sha256;
-    let (place, list) = crate::fragility::suite();
-    let devices = "device,isolation,radius,mu\nfloor,none,,\npendulum,horizontal,1.5,0.06\n";
-    let curve = "pga [m/s2],rate\n1,0.01\n3,0.001\n8,0.0001\n";
-    let block = "--object 1 --backend cpu --verify none --levels 1,4,9 --hazard site.csv";
+    let room = Room::suite();
     for (name, line) in [
-        ("compared", format!("compare devices.csv --suite {list} {block}")),
-        ("rates", format!("fragility --suite {list} --isolation none {block}")),
+        ("compared", format!("compare ./devices.csv {SITE} --out ./compared")),
+        ("rates", format!("fragility --isolation none {SITE} --out ./rates")),
     ] {
-        for (file, text) in [("devices.csv", devices), ("site.csv", curve)] {
-            let path = place.path().join(file);
+        for (file, text) in [("devices.csv", DEVICES), ("site.csv", CURVE)] {
+            let path = room.at(file);
             let _ = fs::remove_file(&path);
             std::process::Command::new("mkfifo").arg(&path).status().unwrap();
             // It waits for a reader, and is left where there is none.
             std::thread::spawn(move || fs::write(path, text));
         }
-        let mut command = Command::topple();
-        command.timeout(std::time::Duration::from_secs(120)).current_dir(place.path());
-        command.args(line.split_whitespace()).args(["--out", name]).assert().success();
-        let run = fs::read(place.path().join(name).join("run.json")).unwrap();
-        let run: serde_json::Value = serde_json::from_slice(&run).unwrap();
-        assert_eq!(run["inputs"]["--hazard"], sha256(curve.as_bytes()), "{name}");
+        // Apart, so that one that waits for ever can be ended.
+        room.process(&line).timeout(std::time::Duration::from_secs(120)).assert().success();
+        let run = room.json(name);
+        assert_eq!(run["inputs"]["--hazard"], sha256(CURVE.as_bytes()), "{name}");
         if name == "compared" {
-            assert_eq!(run["inputs"]["DEVICES"], sha256(devices.as_bytes()));
+            assert_eq!(run["inputs"]["DEVICES"], sha256(DEVICES.as_bytes()));
         }
     }
 }

@@ -1,20 +1,11 @@
 //! `topple chart` from outside, and what is read back from other programs.
 
 use std::collections::BTreeSet;
-use std::fs;
 use std::path::Path;
 
-use crate::common::command::Command;
-use tempfile::TempDir;
+use crate::common::room::Room;
 
-fn chart(out: &Path, extra: &[&str]) -> crate::common::command::Assert {
-    let mut command = Command::topple();
-    command
-        .args(["chart", "--quick", "--no-shader", "--quiet", "--out"])
-        .arg(out)
-        .args(extra)
-        .assert()
-}
+const CHART: &str = "chart --quick --no-shader --quiet --out ./out";
 
 fn rows(path: &Path) -> Vec<Vec<String>> {
     let mut table = csv::Reader::from_path(path).unwrap();
@@ -37,14 +28,12 @@ fn peer(cells: &Path, scene: &str, outcome: &str) -> String {
 
 #[test]
 fn a_quick_chart_has_every_method_and_its_files() {
-    let out = TempDir::new().unwrap();
-    chart(out.path(), &["--cells-only"]).success();
-    let cells = out.path().join("cells.csv");
-    assert!(!out.path().join("chart.csv").exists());
-    let results = out.path().join("other.csv");
-    fs::write(&results, peer(&cells, "pulse", "rocking")).unwrap();
-    chart(out.path(), &["--peer", results.to_str().unwrap()]).success();
-    let table = rows(&out.path().join("chart.csv"));
+    let room = Room::new();
+    room.run(&format!("{CHART} --cells-only"));
+    assert!(!room.has("out/chart.csv"));
+    room.write("other.csv", peer(&room.at("out/cells.csv"), "pulse", "rocking"));
+    room.run(&format!("{CHART} --peer ./other.csv"));
+    let table = rows(&room.at("out/chart.csv"));
     let methods: BTreeSet<(&str, &str)> =
         table.iter().map(|row| (row[0].as_str(), row[1].as_str())).collect();
     for scene in ["pulse", "record", "free"] {
@@ -77,16 +66,16 @@ fn a_quick_chart_has_every_method_and_its_files() {
     assert!(time("naive") > 100.0 * time("cpu"), "{} {}", time("naive"), time("cpu"));
     for name in ["pulse", "record", "free", "maps"] {
         for kind in ["svg", "png"] {
-            assert!(out.path().join(format!("{name}.{kind}")).metadata().unwrap().len() > 1000);
+            assert!(room.bytes(&format!("out/{name}.{kind}")).len() > 1000);
         }
     }
 }
 
 #[test]
 fn what_another_program_gives_is_checked() {
-    let out = TempDir::new().unwrap();
-    chart(out.path(), &["--cells-only"]).success();
-    let good = peer(&out.path().join("cells.csv"), "free", "rocking");
+    let room = Room::new();
+    room.run(&format!("{CHART} --cells-only"));
+    let good = peer(&room.at("out/cells.csv"), "free", "rocking");
     let short: String = good.lines().take(5).map(|line| format!("{line}\n")).collect();
     for (name, text, says) in [
         ("short", short, "4 cells where there are 64"),
@@ -95,14 +84,9 @@ fn what_another_program_gives_is_checked() {
         ("scene", good.replace("free,", "nowhere,"), "'nowhere'"),
         ("columns", "a,b\n1,2\n".into(), "missing field"),
     ] {
-        let path = out.path().join(format!("{name}.csv"));
-        fs::write(&path, text).unwrap();
-        let run = chart(out.path(), &["--peer", path.to_str().unwrap()]).code(2);
-        let said = String::from_utf8(run.get_output().stderr.clone()).unwrap();
-        assert!(said.contains(says), "{name}: {said}");
-        assert_eq!(said.lines().count(), 1, "{said}");
+        room.write(&format!("{name}.csv"), text);
+        room.refuses(&format!("{CHART} --peer ./{name}.csv"), &[says]);
     }
-    let missing = chart(out.path(), &["--peer", "nowhere.csv"]).code(2);
-    assert!(String::from_utf8_lossy(&missing.get_output().stderr).contains("nowhere.csv"));
-    assert!(!out.path().join("chart.csv").exists());
+    room.refuses(&format!("{CHART} --peer nowhere.csv"), &["nowhere.csv"]);
+    assert!(!room.has("out/chart.csv"));
 }

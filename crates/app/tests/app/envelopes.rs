@@ -1,57 +1,26 @@
 //! What an envelope says beside shares and strokes: which cell is the best, and how likely a block falls of which something is
 //! not known. And what a factor on the motions of a suite is.
 
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
+use crate::common::all_but_few;
+use crate::common::room::{Room, number};
 
-use crate::common::command::Command;
+use super::fragility::BASE;
 
-use super::common::{own_lines_but_few, refused};
-use super::fragility::{BASE, suite, within};
-
-fn topple(arguments: &[&str]) -> crate::common::command::Assert {
-    Command::topple().args(arguments).args(["--backend", "cpu"]).assert()
-}
-
-fn told(run: &crate::common::command::Assert) -> String {
-    String::from_utf8(run.get_output().stdout.clone()).unwrap()
-}
-
-/// The rows of a table, a map each.
-fn rows(path: &Path) -> Vec<BTreeMap<String, String>> {
-    let mut reader = csv::Reader::from_path(path).unwrap();
-    let heading = reader.headers().unwrap().clone();
-    let rows = reader.records().map(|row| {
-        let row = row.unwrap();
-        heading.iter().map(String::from).zip(row.iter().map(String::from)).collect()
-    });
-    rows.collect()
-}
-
-fn number(row: &BTreeMap<String, String>, column: &str) -> f64 {
-    row[column].parse().unwrap()
-}
+const ENVELOPE: &str = "envelope --suite ./list.csv --verify none";
+const CELL: &str = "--t-h 1.5 --t-v 0.4 --verify none";
 
 /// The steps of a column and a row to the nearest cell that is not feasible, cell by cell.
 #[test]
 fn the_best_cell_lies_farthest_from_cells_that_fail() {
-    let (place, list) = suite();
+    let room = Room::suite();
     let (columns, count) = (14, 14 * 6);
-    let grid = ["--t-h", "0.5:5:14", "--t-v", "0.1:1:6", "--verify", "none"];
-    let run = |name: &str, more: &[&str]| {
-        let (out, to) = within(&place, name);
-        let limits = ["--limit-u", "0.75", "--limit-v", "0.03", "--scale", "0.7"];
-        let common = ["--suite", &list, "--out", &to];
-        let said = told(
-            &topple(&[&["envelope"][..], &BASE, &grid, &limits, &common, more].concat()).success(),
-        );
-        let json: serde_json::Value =
-            serde_json::from_str(&fs::read_to_string(out.join("run.json")).unwrap()).unwrap();
-        let best = json["best_cell"].as_u64().unwrap() as usize;
-        (rows(&out.join("envelope.csv")), best, said)
+    let run = |more: &str| {
+        let grid = "--t-h 0.5:5:14 --t-v 0.1:1:6 --limit-u 0.75 --limit-v 0.03 --scale 0.7";
+        let said = room.run(&format!("{ENVELOPE} {BASE} {grid} --out ./out {more}")).out;
+        let best = room.json("out")["best_cell"].as_u64().unwrap() as usize;
+        (room.rows("out/envelope.csv"), best, said)
     };
-    let (cells, best, said) = run("reserve", &[]);
+    let (cells, best, said) = run("");
     assert_eq!(cells.len(), count);
     let feasible: Vec<bool> = cells.iter().map(|cell| cell["feasible"] == "1").collect();
     let kept = feasible.iter().filter(|kept| **kept).count();
@@ -96,7 +65,7 @@ fn the_best_cell_lies_farthest_from_cells_that_fail() {
     };
     check(best, &said);
     for (by, column) in [("stroke_u", "max_u_100"), ("stroke-v", "stroke_v_100")] {
-        let (_, best, said) = run(by, &["--best", by]);
+        let (_, best, said) = run(&format!("--best {by}"));
         // A cell whose neighbours all fail is no choice.
         let beside = |cell: usize| {
             let (column, row) = (cell % columns, cell / columns);
@@ -112,38 +81,30 @@ fn the_best_cell_lies_farthest_from_cells_that_fail() {
         check(best, &said);
     }
     assert!(ends > 0, "no best cell lies at an end");
-    let (_, to) = within(&place, "refused");
-    let common = ["envelope", "--object", "1", "--suite", &list, "--out", &to, "--best", "least"];
-    assert!(refused(&common).contains("there are reserve, stroke_u, stroke_v"));
+    let line = format!("{ENVELOPE} --object 1 --best least");
+    room.refuses(&line, &["there are reserve, stroke_u, stroke_v"]);
 }
 
 /// The share of the motions at points that are drawn is the mean of what each motion alone has at the same points.
 #[test]
 fn a_number_that_is_not_known_is_drawn_under_every_motion() {
-    let (place, list) = suite();
-    let vary = ["--vary", "eccentricity=uniform(0,0.5)", "--samples", "16", "--seed", "7"];
-    let scene = ["--isolation", "horizontal", "--t-h", "1.5", "--psi", "0.5", "--verify", "none"];
-    let (out, to) = within(&place, "envelope");
-    let common = ["envelope", "--suite", &list, "--out", &to, "--scale", "1.5"];
-    let said = told(&topple(&[&common[..], &BASE, &scene, &vary].concat()).success());
-    let mut shares = Vec::new();
-    for name in ["a", "b", "c", "d"] {
-        let (one, to) = within(&place, name);
-        let file = |end: &str| place.path().join(format!("{name}{end}.txt")).display().to_string();
-        let (horizontal, vertical) = (file(""), file("_v"));
-        let record =
-            ["seismic", "--horizontal", &horizontal, "--vertical", &vertical, "--out", &to];
-        let more = ["--dt", "0.02", "--units", "m/s2", "--scale", "1.5"];
-        topple(&[&record[..], &more, &BASE, &scene, &vary].concat()).success();
-        let row = &rows(&one.join("probability.csv"))[0];
-        shares.push(number(row, "overturned_left") + number(row, "overturned_right"));
-    }
+    let room = Room::suite();
+    let vary = "--vary eccentricity=uniform(0,0.5) --samples 16 --seed 7";
+    let scene = "--isolation horizontal --t-h 1.5 --psi 0.5 --scale 1.5 --verify none";
+    let envelope = format!("envelope --suite ./list.csv {BASE} {scene} --out ./envelope");
+    let said = room.run(&format!("{envelope} {vary}")).out;
+    let shares = ["a", "b", "c", "d"].map(|name| {
+        let record = format!("--horizontal ./{name}.txt --vertical ./{name}_v.txt --dt 0.02");
+        room.run(&format!("seismic {record} --units m/s2 {BASE} {scene} {vary} --out ./one"));
+        let row = &room.rows("one/probability.csv")[0];
+        number(row, "overturned_left") + number(row, "overturned_right")
+    });
     let mean = shares.iter().sum::<f64>() / 4.0;
     assert!(
         mean > 0.0 && mean < 1.0 && shares.iter().any(|one| *one > 0.0 && *one < 1.0),
         "{shares:?}"
     );
-    let row = &rows(&out.join("envelope.csv"))[0];
+    let row = &room.rows("envelope/envelope.csv")[0];
     assert!((number(row, "overturned") - mean).abs() < 1e-12, "{mean} {row:?}");
     assert_eq!(row["records"], "4");
     let [low, high] = ["overturned_low", "overturned_high"].map(|end| number(row, end));
@@ -155,92 +116,72 @@ fn a_number_that_is_not_known_is_drawn_under_every_motion() {
     ] {
         assert!(line.contains(part), "{line}");
     }
-    let refused = refused(&[&common[..], &BASE, &scene, &["--vary", "t_v=uniform(1,2)"]].concat());
-    assert!(refused.contains("t_v is no number of this scene"), "{refused}");
+    let line = format!("{envelope} --vary t_v=uniform(1,2)");
+    room.refuses(&line, &["t_v is no number of this scene"]);
 }
 
 /// Factors are no axis of a fragility but levels of each motion.
 #[test]
 fn factors_are_levels_of_a_fragility() {
-    let (place, list) = suite();
-    let scene = ["--t-h", "1.5", "--t-v", "0.4", "--verify", "none", "--scale", "2,0.5,1,4"];
-    let (out, to) = within(&place, "fragility");
-    topple(&[&["fragility", "--suite", &list, "--out", &to][..], &BASE, &scene].concat()).success();
-    let (of, cells_to) = within(&place, "envelope");
-    let envelope = ["envelope", "--suite", &list, "--out", &cells_to];
-    topple(&[&envelope[..], &BASE, &scene].concat()).success();
-    let all = rows(&out.join("fragility.csv"));
+    let room = Room::suite();
+    let fragility = format!("fragility --suite ./list.csv {BASE} {CELL} --out ./fragility");
+    let factors = "--scale 2,0.5,1,4";
+    room.run(&format!("{fragility} {factors}"));
+    room.run(&format!("{ENVELOPE} {BASE} --t-h 1.5 --t-v 0.4 {factors} --out ./envelope"));
+    let all = room.rows("fragility/fragility.csv");
     let counts: Vec<_> = all.iter().filter(|row| row["limit_state"] == "overturning").collect();
     let sum = |column: &str| counts.iter().map(|row| number(row, column)).sum::<f64>();
-    let cells = rows(&of.join("envelope.csv"));
+    let cells = room.rows("envelope/envelope.csv");
     let fallen: f64 = cells.iter().map(|cell| 4.0 * number(cell, "overturned")).sum();
     assert_eq!((sum("records"), sum("failed")), (16.0, fallen));
     assert!(fallen > 0.0 && fallen < 16.0, "{fallen}");
-    let (suite, of_suite) = within(&place, "suite");
-    let read = ["suite", &list, "--out", &of_suite];
-    Command::topple().args(read).assert().success();
-    let peaks: Vec<f64> =
-        rows(&suite.join("suite.csv")).iter().map(|row| number(row, "pga_h")).collect();
+    room.run("suite ./list.csv --out ./suite");
+    let peaks = room.rows("suite/suite.csv");
+    let peaks = peaks.iter().map(|row| number(row, "pga_h"));
     let mut wanted: Vec<f64> =
-        peaks.iter().flat_map(|peak| [0.5, 1.0, 2.0, 4.0].map(|factor| factor * peak)).collect();
+        peaks.flat_map(|peak| [0.5, 1.0, 2.0, 4.0].map(|factor| factor * peak)).collect();
     wanted.sort_by(f64::total_cmp);
     let levels: Vec<f64> = counts
         .iter()
         .flat_map(|row| vec![number(row, "level"); number(row, "records") as usize])
         .collect();
     // suite.csv has seven digits.
-    assert!(
-        levels.iter().zip(&wanted).all(|(own, peak)| (own / peak - 1.0).abs() < 1e-6),
-        "{levels:?}"
-    );
-    let own = ["fragility", "--suite", &list, "--out", &to];
-    let line = refused(&[&own[..], &BASE, &scene, &["--levels", "1,2"]].concat());
-    assert!(line.contains("--scale: --levels say how strong each motion is"), "{line}");
-    let line = refused(&[&own[..], &BASE, &scene[..4], &["--pga", "1,2"]].concat());
-    assert!(line.contains("--pga: several peaks are levels"), "{line}");
+    let near = |(own, peak): (&f64, &f64)| (own / peak - 1.0).abs() < 1e-6;
+    assert!(levels.iter().zip(&wanted).all(near), "{levels:?}");
+    let said = "--scale: --levels say how strong each motion is";
+    room.refuses(&format!("{fragility} {factors} --levels 1,2"), &[said]);
+    room.refuses(&format!("{fragility} --pga 1,2"), &["--pga: several peaks are levels"]);
 }
 
 /// A factor of the scene is on the motions as the suite has them: on those that a list scales, too.
 #[test]
 fn a_factor_is_on_what_a_list_has_scaled() {
-    let (place, list) = suite();
-    let doubled = place.path().join("doubled.csv");
-    let text = fs::read_to_string(&list).unwrap();
-    let rows_of = text.lines().enumerate().map(|(k, line)| match k {
-        0 => format!("{line},scale\n"),
-        _ => format!("{line},2\n"),
-    });
-    fs::write(&doubled, rows_of.collect::<String>()).unwrap();
-    let doubled = doubled.display().to_string();
-    let scene = ["--t-h", "1.5", "--t-v", "0.4", "--verify", "none"];
-    let run = |name: &str, list: &str, more: &[&str]| {
-        let (out, to) = within(&place, name);
-        let common = ["envelope", "--suite", list, "--out", &to];
-        topple(&[&common[..], &BASE, &scene, more].concat()).success();
-        rows(&out.join("envelope.csv"))
+    let room = Room::suite();
+    let list = room.read("list.csv");
+    let (head, rows) = list.split_once('\n').unwrap();
+    let rows: String = rows.lines().map(|line| format!("{line},2\n")).collect();
+    room.write("doubled.csv", format!("{head},scale\n{rows}"));
+    let run = |list: &str| {
+        room.run(&format!("envelope {BASE} {CELL} --out ./out --suite {list}"));
+        room.rows("out/envelope.csv")
     };
-    let plain = run("plain", &list, &[]);
-    assert_eq!(run("half", &doubled, &["--scale", "0.5"]), plain);
-    let cells = run("axis", &doubled, &["--scale", "0.5,1"]);
+    let plain = run("./list.csv");
+    assert_eq!(run("./doubled.csv --scale 0.5"), plain);
+    let cells = run("./doubled.csv --scale 0.5,1");
     assert_eq!(cells[0]["max_u_100"], plain[0]["max_u_100"]);
-    assert_eq!(cells[1]["max_u_100"], run("twice", &doubled, &[])[0]["max_u_100"]);
+    assert_eq!(cells[1]["max_u_100"], run("./doubled.csv")[0]["max_u_100"]);
     assert_ne!(cells[0]["max_u_100"], cells[1]["max_u_100"]);
 }
 
 #[test]
 fn plates_without_mass_are_warned_of_under_a_suite_too() {
-    let (place, list) = suite();
-    let block = ["--half-width", "0.3", "--height", "1", "--mass", "200", "--u-y", "0.01"];
-    let scene =
-        ["--t-h", "1.5", "--t-v", "0.4", "--xi-h", "0.1", "--verify", "none", "--suite", &list];
+    let room = Room::suite();
+    let block = "--half-width 0.3 --height 1 --mass 200 --u-y 0.01 --xi-h 0.1 --backend cpu";
     for command in ["envelope", "fragility"] {
-        let (_, to) = within(&place, command);
-        let run = topple(&[&[command, "--out", &to][..], &block, &scene].concat()).success();
-        let said = own_lines_but_few(&String::from_utf8_lossy(&run.get_output().stderr));
+        let line = format!("{command} --suite ./list.csv {block} {CELL} --out ./{command}");
+        let said = all_but_few(&room.run(&line).err);
         assert!(said.len() == 1 && said[0].contains("without masses of the plates"), "{said:?}");
-        let plates = ["--plate-h", "50", "--plate-v", "50"];
-        let run =
-            topple(&[&[command, "--out", &to][..], &block, &scene, &plates].concat()).success();
-        assert_eq!(own_lines_but_few(&String::from_utf8_lossy(&run.get_output().stderr)), [""; 0]);
+        let said = room.run(&format!("{line} --plate-h 50 --plate-v 50")).err;
+        assert_eq!(all_but_few(&said), [""; 0]);
     }
 }

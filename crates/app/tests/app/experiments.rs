@@ -4,10 +4,8 @@
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
-use crate::common::command::Command;
-use tempfile::TempDir;
-
 use crate::common::record;
+use crate::common::room::Room;
 
 /// How many motions there are.
 const TESTS: usize = 490;
@@ -34,21 +32,12 @@ fn tests(path: &Path) -> [HashMap<String, Test>; 2] {
 
 /// The motions under which a block overturns, by its half-width in mm.
 fn overturned(suite: &Path) -> BTreeMap<u32, HashMap<String, bool>> {
-    let folder = TempDir::new().unwrap();
-    let out = folder.path().join("out");
+    let room = Room::new();
     let block = "--isolation none --height 0.2945 --mass 353.802 --inertia 18.61 --half-width";
-    let run = Command::topple()
-        .arg("fragility")
-        .args(block.split(' '))
-        .args([ARMS, "--verify", "none", "--backend", "cpu", "--quiet", "--suite"])
-        .arg(suite)
-        .arg("--out")
-        .arg(&out)
-        .output()
-        .unwrap();
-    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    let suite = format!("--suite '{}' --verify none --backend cpu", suite.display());
+    room.run(&format!("fragility {block} {ARMS} {suite} --quiet --out ./out"));
     let mut found: BTreeMap<u32, HashMap<String, bool>> = BTreeMap::new();
-    for row in csv::Reader::from_path(out.join("runs.csv")).unwrap().records() {
+    for row in csv::Reader::from_path(room.at("out/runs.csv")).unwrap().records() {
         let row = row.unwrap();
         let arm = (row[0].parse::<f64>().unwrap() * 1000.0).round() as u32;
         found.entry(arm).or_default().insert(row[1].into(), row[3].starts_with("overturned"));

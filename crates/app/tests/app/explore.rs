@@ -11,6 +11,8 @@ use topple::scene::{Grid, Parameter, Range};
 use topple::stepping::outcome::Class;
 use topple::{BackendRequest, Column, ColumnValues, RunSettings, Unwatched, VerifySettings, sweep};
 
+use crate::common::room::Room;
+
 /// A server, ended with the test.
 struct Server {
     process: Child,
@@ -335,14 +337,9 @@ fn the_command_line_and_the_file_make_the_scene_in_view() {
     for scene in scenes {
         let request = json!({ "scene": scene, "count": [7, 5] });
         let told = server.post("command", &request).json();
-        let words = told["command"].as_str().unwrap().split(' ').map(String::from);
-        let output = crate::common::command::Command::topple()
-            .args(words.skip(1).chain(["--save-scene".into(), "-".into()]))
-            .output()
-            .unwrap();
-        assert!(output.status.success(), "{told}: {}", String::from_utf8_lossy(&output.stderr));
-        let from_flags =
-            SceneBuilder::from_toml(&String::from_utf8(output.stdout).unwrap()).unwrap();
+        let command = told["command"].as_str().unwrap().strip_prefix("topple ").unwrap();
+        let text = Room::new().run(&format!("{command} --save-scene -")).out;
+        let from_flags = SceneBuilder::from_toml(&text).unwrap();
         let from_file = SceneBuilder::from_toml(told["toml"].as_str().unwrap()).unwrap();
         let [flags, file] = [&from_flags, &from_file].map(|given| given.check().unwrap());
         assert_eq!(Grid::of(&flags), Grid::of(&file), "{told}");
@@ -509,4 +506,15 @@ fn a_dropped_record_shakes_the_base() {
     }
     let frames = server.post("map", &json!({ "scene": scene, "count": [17, 17] })).frames();
     assert_eq!(frames[0].0["stage"], "coarse", "{}", frames[0].0);
+}
+
+/// The command writes a page, and leaves a folder of other files as it is.
+#[test]
+fn the_command_exports_a_page() {
+    let room = Room::new();
+    room.run("explore --backend cpu --export ./page");
+    assert!(room.read("page/index.html").contains(r#"content="webgpu""#));
+    let said = room.ended("explore --backend cpu --export ./");
+    assert!(said.code == 2 && said.err.contains("holds other files"), "{said:?}");
+    assert!(said.err.contains("--export"), "{said:?}");
 }

@@ -6,7 +6,8 @@ use std::path::Path;
 use approx::assert_relative_eq;
 use topple_studies::Lognormal;
 
-use crate::fragility::{BASE, number, refusal, rows, said, suite, topple, within};
+use crate::common::room::{Room, number};
+use crate::fragility::{BASE, FRAGILITY, ONE};
 
 /// A file of the run below that the programs have read, or what they read there.
 fn data(name: &str) -> String {
@@ -32,42 +33,25 @@ fn same_but_for_rounding(one: &str, other: &str) {
 /// docs/read_back.py, are the probabilities of the fits.
 #[test]
 fn exported_curves_are_those_of_the_fits() {
-    let (place, list) = suite();
-    let (out, to) = within(&place, "out");
-    let asked = ["--levels", "1:16:12:log", "--t-h", "1.5,2", "--t-v", "0.5", "--verify", "none"];
-    let limits = [
-        "--limit-zeta",
-        "0.3",
-        "--limit-u",
-        "0.2",
-        "--export",
-        "nrml,pelicun",
-        "--bootstrap",
-        "39",
-    ];
-    let common = ["fragility", "--suite", &list, "--out", &to, "--estimator", "stripes"];
-    let run = topple(&[&common[..], &BASE, &asked, &limits].concat()).success();
-    assert!(said(&run).contains("fragility.xml: without max_u>0.2"), "{}", said(&run));
-    let xml = fs::read_to_string(out.join("fragility.xml")).unwrap();
+    let room = Room::suite();
+    let base = "--levels 1:16:12:log --t-h 1.5,2 --t-v 0.5 --verify none --estimator stripes";
+    let base = format!("{FRAGILITY} {BASE} {base}");
+    let limits = "--limit-zeta 0.3 --limit-u 0.2 --export nrml,pelicun --bootstrap 39";
+    room.run(&format!("{base} {limits}")).has("fragility.xml: without max_u>0.2");
+    let xml = room.read("out/fragility.xml");
     assert!(xml.contains("<limitStates>uplift zeta_0_3 overturning</limitStates>"), "{xml}");
     let params: Vec<[f64; 2]> = xml
         .lines()
         .filter(|line| line.contains("<params"))
         .map(|line| {
             let value = |name: &str| -> f64 {
-                line.split(&format!("{name}=\""))
-                    .nth(1)
-                    .unwrap()
-                    .split('"')
-                    .next()
-                    .unwrap()
-                    .parse()
-                    .unwrap()
+                let (_, rest) = line.split_once(&format!("{name}=\"")).unwrap();
+                rest.split_once('"').unwrap().0.parse().unwrap()
             };
             [value("mean"), value("stddev")]
         })
         .collect();
-    let fits = rows(&out.join("fits.csv"));
+    let fits = room.rows("out/fits.csv");
     let of = |t_h: &str, state: &str| {
         let row = fits.iter().find(|row| row["t_h"] == t_h && row["limit_state"] == state).unwrap();
         // A step has the least deviation that other programs take.
@@ -84,7 +68,7 @@ fn exported_curves_are_those_of_the_fits() {
         assert_relative_eq!(9.81 * median, theta, max_relative = 1e-9);
         assert_relative_eq!(sigma, beta, max_relative = 1e-9);
     }
-    let table = rows(&out.join("fragility_pelicun.csv"));
+    let table = room.rows("out/fragility_pelicun.csv");
     let ids: Vec<&str> = table.iter().map(|row| row["ID"].as_str()).collect();
     let cell = |t_h: &str| format!("t_h:{t_h}/t_v:0.5");
     let wanted =
@@ -103,7 +87,7 @@ fn exported_curves_are_those_of_the_fits() {
     }
     let (kept, found) = (data("fragility.xml"), data("fragility_pelicun.csv"));
     same_but_for_rounding(&kept, &xml);
-    same_but_for_rounding(&found, &fs::read_to_string(out.join("fragility_pelicun.csv")).unwrap());
+    same_but_for_rounding(&found, &room.read("out/fragility_pelicun.csv"));
     // What the programs make of these files, at each level.
     let mut compared = 0;
     for line in data("read_back.csv").lines().skip(1) {
@@ -130,34 +114,24 @@ fn exported_curves_are_those_of_the_fits() {
     }
     assert_eq!(compared, 7 * (6 + 10));
     // A run without them takes them away, and one with them puts them there again.
-    topple(&[&common[..], &BASE, &asked].concat()).success();
-    assert!(!out.join("fragility.xml").exists() && !out.join("fragility_pelicun.csv").exists());
-    topple(&[&common[..], &BASE, &asked, &limits].concat()).success();
-    assert_eq!(fs::read_to_string(out.join("fragility.xml")).unwrap(), xml);
-    let run =
-        topple(&[&common[..], &BASE, &asked, &["--im", "cav", "--export", "pelicun"]].concat())
-            .code(2);
-    assert!(refusal(&run).contains("--export: pelicun has no cav; give pga, pgv or sa:T"));
+    room.run(&base);
+    assert!(!room.has("out/fragility.xml") && !room.has("out/fragility_pelicun.csv"));
+    room.run(&format!("{base} {limits}"));
+    assert_eq!(room.read("out/fragility.xml"), xml);
+    let said = "--export: pelicun has no cav; give pga, pgv or sa:T";
+    room.refuses(&format!("{base} --im cav --export pelicun"), &[said]);
 }
 
 /// Where nothing fails at any level there is no curve to write: no file that another program would refuse is left.
 #[test]
 fn no_file_is_written_without_a_curve() {
-    let (place, list) = suite();
-    let (out, to) = within(&place, "out");
-    let asked = ["--t-h", "1.5", "--t-v", "0.5", "--verify", "none", "--bootstrap", "39"];
-    let export = ["--levels", "0.05,0.1", "--export", "nrml,pelicun"];
-    let common = ["fragility", "--suite", &list, "--out", &to];
-    let run = topple(&[&common[..], &BASE, &asked, &export].concat()).success();
-    let warned = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+    let room = Room::suite();
+    let export = "--bootstrap 39 --levels 0.05,0.1 --export nrml,pelicun";
+    let warned = room.run(&format!("{FRAGILITY} {BASE} {ONE} {export}")).err;
     for file in ["fragility.xml", "fragility_pelicun.csv"] {
-        assert!(
-            warned.contains(&format!("no {file}: in each cell a limit state has no curve")),
-            "{warned}"
-        );
-        assert!(!out.join(file).exists());
-        let run = fs::read_to_string(out.join("run.json")).unwrap();
-        let run: serde_json::Value = serde_json::from_str(&run).unwrap();
-        assert!(!run["files"].as_array().unwrap().contains(&file.into()));
+        let wanted = format!("no {file}: in each cell a limit state has no curve");
+        assert!(warned.contains(&wanted), "{warned}");
+        assert!(!room.has(&format!("out/{file}")));
+        assert!(!room.json("out")["files"].as_array().unwrap().contains(&file.into()));
     }
 }

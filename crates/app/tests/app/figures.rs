@@ -1,27 +1,21 @@
 //! `topple figures` from outside: files, captions, and one line for every bad input.
 
-use std::fs;
-use std::path::Path;
-
-use crate::common::command::Command;
+use crate::common::command::Assert;
+use crate::common::room::Room;
 use proptest::prelude::*;
-use tempfile::TempDir;
 use topple_lab::figures::Figure;
 use topple_lab::figures::motions;
 use topple_lab::figures::text::FigureInputs;
 
-use crate::common::names;
-
-fn figures(arguments: &[&str], out: &Path) -> crate::common::command::Assert {
-    let mut command = Command::topple();
-    // The user's own directory of records is no part of these tests.
-    command.env_remove("TOPPLE_RECORDS");
-    command.args(["figures", "--backend", "cpu", "--out"]).arg(out).args(arguments).assert()
+/// Runs it as a process: the user's own directory of records is no part of these tests.
+fn figures(room: &Room, line: &str) -> Assert {
+    let line = format!("figures --backend cpu --out ./out {line}");
+    room.process(&line).env_remove("TOPPLE_RECORDS").assert()
 }
 
 /// What a picture says, its lines joined.
-fn words(path: &Path) -> String {
-    let svg = fs::read_to_string(path).unwrap();
+fn words(room: &Room, name: &str) -> String {
+    let svg = room.read(&format!("out/{name}.svg"));
     let texts = svg.lines().filter(|line| line.starts_with("<text"));
     let plain = |line: &str| {
         let pieces = line.split('<').filter_map(|piece| Some(piece.split_once('>')?.1));
@@ -32,27 +26,25 @@ fn words(path: &Path) -> String {
 
 #[test]
 fn a_figure_of_pulses_leaves_picture_tables_and_paths() {
-    let out = TempDir::new().unwrap();
-    figures(&["--only", "fig12", "--cells", "6"], out.path()).success();
-    let expected = ["csv", "json", "png", "svg"];
-    let found = names(out.path());
+    let room = Room::new();
+    figures(&room, "--only fig12 --cells 6").success();
+    let found = room.names("out");
     for letter in ["a", "b", "c", "d", "e", "f"] {
         assert!(found.contains(&format!("fig12-{letter}.csv")), "{found:?}");
     }
-    for extension in &expected[1..] {
+    for extension in ["json", "png", "svg"] {
         assert!(found.contains(&format!("fig12.{extension}")), "{found:?}");
     }
     for extension in ["csv", "png", "svg"] {
         assert!(found.contains(&format!("fig12-b-path-1.{extension}")), "{found:?}");
     }
-    let table = fs::read_to_string(out.path().join("fig12-a.csv")).unwrap();
+    let table = room.read("out/fig12-a.csv");
     assert!(table.starts_with("omega,a_h,outcome,impacts,") && table.lines().count() == 37);
-    let json = fs::read_to_string(out.path().join("fig12.json")).unwrap();
-    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&room.read("out/fig12.json")).unwrap();
     assert_eq!(json["panels"].as_array().unwrap().len(), 6);
     assert_eq!(json["panels"][1]["scene"]["numbers"]["eccentricity"], 0.2);
     // The caption has what the panels share, the panels what sets them apart.
-    let svg = words(&out.path().join("fig12.svg"));
+    let svg = words(&room, "fig12");
     assert!(svg.contains("H = 0.95 m") && svg.contains("(f) ε = 0.4"));
 }
 
@@ -60,50 +52,41 @@ fn a_figure_of_pulses_leaves_picture_tables_and_paths() {
 /// synthetic.
 #[test]
 fn missing_records_are_synthetic_and_said_to_be() {
-    let (out, records) = (TempDir::new().unwrap(), TempDir::new().unwrap());
-    let (both, vertical) = (
-        "Kobe: horizontal synthetic, no kobe-1995-takarazuka-000.slammer.txt",
-        "Kobe: vertical synthetic, no kobe-1995-takarazuka-up.at2",
-    );
-    let only = ["--only", "fig4", "--cells", "3"];
-    let directory = records.path().to_str().unwrap();
-    for arguments in [&only[..], &[&only[..], &["--records", directory]].concat()] {
-        let said = figures(arguments, out.path()).success();
+    let room = Room::new();
+    room.folder("records");
+    let horizontal = "Kobe: horizontal synthetic, no kobe-1995-takarazuka-000.slammer.txt";
+    let vertical = "Kobe: vertical synthetic, no kobe-1995-takarazuka-up.at2";
+    let run = |more: &str| {
+        let said = figures(&room, &format!("--only fig4 --cells 3 {more}")).success();
         let said = String::from_utf8(said.get_output().stdout.clone()).unwrap();
-        assert!(said.contains(both) && said.contains(vertical), "{said}");
-        let svg = words(&out.path().join("fig04.svg"));
-        assert!(
-            svg.contains("horizontal SYNTHETIC, 0.693 g") && svg.contains("vertical SYNTHETIC")
-        );
+        assert!(said.contains(vertical), "{said}");
+        (said.contains(horizontal), words(&room, "fig04"))
+    };
+    for more in ["", "--records ./records"] {
+        let (synthetic, svg) = run(more);
+        assert!(synthetic && svg.contains("horizontal SYNTHETIC, 0.693 g"), "{svg}");
+        assert!(svg.contains("vertical SYNTHETIC"), "{svg}");
         // A panel's own title says it too.
         assert!(svg.contains("(a) Kobe (synthetic), ε = 0"), "{svg}");
     }
     let samples = "0.01\n0.2\n-0.1\n0.05\n".repeat(20);
-    fs::write(records.path().join("kobe-1995-takarazuka-000.slammer.txt"), samples).unwrap();
-    let said = figures(&[&only[..], &["--records", directory]].concat(), out.path()).success();
-    let said = String::from_utf8(said.get_output().stdout.clone()).unwrap();
-    assert!(!said.contains(both) && said.contains(vertical), "{said}");
-    let svg = words(&out.path().join("fig04.svg"));
-    assert!(svg.contains("horizontal 0.200 g") && svg.contains("vertical SYNTHETIC"));
+    room.write("records/kobe-1995-takarazuka-000.slammer.txt", samples);
+    let (synthetic, svg) = run("--records ./records");
+    assert!(!synthetic && svg.contains("horizontal 0.200 g"), "{svg}");
+    assert!(svg.contains("vertical SYNTHETIC"), "{svg}");
     assert!(svg.contains("(a) Kobe (vertical synthetic), ε = 0"), "{svg}");
 }
 
 #[test]
 fn what_goes_beyond_the_paper_leaves_its_files() {
-    let out = TempDir::new().unwrap();
-    figures(&["--only", "boundary,shares,parity,motion", "--cells", "4"], out.path()).success();
-    let found = names(out.path());
-    for name in [
-        "boundary-j.csv",
-        "boundary.png",
-        "shares-d.csv",
-        "shares.svg",
-        "parity.png",
-        "motion-a.gif",
-    ] {
-        assert!(found.contains(&name.to_string()), "{found:?}");
+    let room = Room::new();
+    figures(&room, "--only boundary,shares,parity,motion --cells 4").success();
+    let found = room.names("out");
+    let files = "boundary-j.csv boundary.png shares-d.csv shares.svg parity.png motion-a.gif";
+    for name in files.split(' ') {
+        assert!(found.iter().any(|own| own == name), "{name}: {found:?}");
     }
-    let gif = fs::read(out.path().join("motion-a.gif")).unwrap();
+    let gif = room.bytes("out/motion-a.gif");
     let mut decoder = gif::DecodeOptions::new().read_info(&gif[..]).unwrap();
     let mut frames = 0;
     while decoder.read_next_frame().unwrap().is_some() {
@@ -115,22 +98,16 @@ fn what_goes_beyond_the_paper_leaves_its_files() {
 
 #[test]
 fn bad_input_is_refused_in_one_line() {
-    let (out, scenes) = (TempDir::new().unwrap(), TempDir::new().unwrap());
-    let refused = |arguments: &[&str], said: &[&str]| {
-        let assert = figures(arguments, out.path()).code(2);
-        let error = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
-        assert_eq!(error.lines().count(), 1, "{error}");
-        for part in said {
-            assert!(error.contains(part), "{part}: {error}");
-        }
-        assert!(names(out.path()).is_empty(), "nothing is left behind");
+    let room = Room::new();
+    let refused = |line: &str, said: &[&str]| {
+        room.refuses(&format!("figures --backend cpu --out ./out {line}"), said);
+        assert!(!room.has("out") || room.names("out").is_empty(), "nothing is left behind");
     };
-    refused(&["--only", "fig99"], &["--only", "fig99", "fig04"]);
-    refused(&["--cells", "1"], &["--cells"]);
-    refused(&["--cells", "1000000"], &["fig04", "GiB"]);
-    refused(&["--records", "no/such/place"], &["--records", "no/such/place"]);
-    refused(&["--scenes", "no/such/place"], &["--scenes", "no/such/place"]);
-    let directory = scenes.path().to_str().unwrap();
+    refused("--only fig99", &["--only", "fig99", "fig04"]);
+    refused("--cells 1", &["--cells"]);
+    refused("--cells 1000000", &["fig04", "GiB"]);
+    refused("--records no/such/place", &["--records", "no/such/place"]);
+    refused("--scenes no/such/place", &["--scenes", "no/such/place"]);
     let head = "title = \"t\"\nshows = \"outcomes\"\n[scene]\nblock = { object = 1 }\n\
                 base = { t_h = 1.75, t_v = 0.75 }\npulse = { omega = 3, a_h = 2 }\n[[panel]]\n";
     for (text, said) in [
@@ -155,35 +132,31 @@ fn bad_input_is_refused_in_one_line() {
             "panel a: P: a record's map",
         ),
     ] {
-        fs::write(scenes.path().join("mine.toml"), text).unwrap();
-        refused(&["--scenes", directory], &["mine", said]);
+        room.write("scenes/mine.toml", text);
+        refused("--scenes ./scenes", &["mine", said]);
     }
 }
 
 /// A path's name becomes a file's, whatever it holds.
 #[test]
 fn a_path_stays_in_its_directory() {
-    let (out, scenes) = (TempDir::new().unwrap(), TempDir::new().unwrap());
+    let room = Room::new();
     let text = "title = \"t\"\nshows = \"outcomes\"\n[scene]\nblock = { object = 1 }\n\
                 base = { t_h = 1.75, t_v = 0.75 }\npulse = { omega = \"2:3:2\", a_h = \"2:3:2\" }\n\
                 run = { t_max = 3 }\n[[panel]]\n\
                 paths = [{ name = \"../Up & <1>\", omega = 2, a_h = \"1:2:3\" }]\n";
-    fs::write(scenes.path().join("mine.toml"), text).unwrap();
-    let inner = out.path().join("inner");
-    figures(&["--scenes", scenes.path().to_str().unwrap()], &inner).success();
-    assert_eq!(names(out.path()), ["inner"]);
-    assert!(names(&inner).contains(&"mine-a----up----1-.csv".to_string()), "{:?}", names(&inner));
+    room.write("scenes/mine.toml", text);
+    room.run("figures --backend cpu --scenes ./scenes --out ./out/inner");
+    assert_eq!(room.names("out"), ["inner"]);
+    let found = room.names("out/inner");
+    assert!(found.contains(&"mine-a----up----1-.csv".to_string()), "{found:?}");
 }
 
 /// A figure is no scene, and its file says how it is run.
 #[test]
 fn a_figure_is_not_run_as_a_scene() {
-    let mut command = Command::topple();
-    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/fig11.toml");
-    let out = TempDir::new().unwrap();
-    let assert = command.arg("run").arg(scene).arg("--out").arg(out.path()).assert().code(2);
-    let error = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
-    assert!(error.contains("topple figures"), "{error}");
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/fig11.toml");
+    Room::new().refuses(&format!("run '{scene}' --out ./out"), &["topple figures"]);
 }
 
 proptest! {

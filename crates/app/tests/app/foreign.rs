@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::common::command::Command;
-use tempfile::TempDir;
+use crate::common::room::Room;
 
 /// All files and folders below one.
 fn tree(folder: &Path) -> BTreeMap<PathBuf, Option<Vec<u8>>> {
@@ -21,68 +20,49 @@ fn tree(folder: &Path) -> BTreeMap<PathBuf, Option<Vec<u8>>> {
     found
 }
 
-fn put(path: &Path, text: &str) {
-    fs::create_dir_all(path.parent().unwrap()).unwrap();
-    fs::write(path, text).unwrap();
-}
+const PULSE: &str = "pulse --object 1 --t-h 1.75 --t-v 0.75 --t-max 3 --omega 3:9:4 --a-h 2:6:4 --verify none --backend cpu";
+const HISTORY: &str =
+    "history --object 1 --t-h 1.75 --t-v 0.75 --t-max 3 --omega 4 --a-h 5 --backend cpu";
+const ENVELOPE: &str =
+    "envelope --suite ./list.csv --t-h 1:2:2 --t-v 0.5 --object 1 --u-y 0.01 --backend cpu";
 
-fn topple(arguments: &[&str], out: &Path) -> Command {
-    let mut command = Command::topple();
-    command.args(arguments).args(["--backend", "cpu", "--out"]).arg(out);
-    command
-}
-
-const CELL: [&str; 7] = ["--object", "1", "--t-h", "1.75", "--t-v", "0.75", "--t-max=3"];
-const PULSE: [&str; 4] = ["--omega", "3:9:4", "--a-h", "2:6:4"];
-
-fn pulse(more: &[&'static str]) -> Vec<&'static str> {
-    [&["pulse"], &CELL[..], &PULSE, &["--verify", "none"], more].concat()
-}
-
-/// A suite of a motion.
-fn suite(place: &Path) -> String {
+/// A room with a suite of a motion.
+fn suite() -> Room {
+    let room = Room::new();
     let sample = |k: i32| format!("{:.5}\n", 3.0 * (0.1 * f64::from(k)).sin());
-    put(&place.join("a.txt"), &(0..300).map(sample).collect::<String>());
-    put(&place.join("list.csv"), "id,horizontal,dt,units\na,a.txt,0.02,m/s2\n");
-    place.join("list.csv").display().to_string()
+    room.write("a.txt", (0..300).map(sample).collect::<String>());
+    room.write("list.csv", "id,horizontal,dt,units\na,a.txt,0.02,m/s2\n");
+    room
 }
 
 #[test]
 fn what_no_run_wrote_is_refused_before_anything_is_computed() {
-    let motions = TempDir::new().unwrap();
-    let list = suite(motions.path());
-    let under = ["--t-h", "1:2:2", "--t-v", "0.5", "--object", "1", "--u-y", "0.01"];
-    let envelope = [&["envelope", "--suite", &list], &under[..]].concat();
-    let history = [&["history"], &CELL[..], &["--omega", "4", "--a-h", "5"]].concat();
-    let cases: [(&str, &[&str]); 16] = [
-        ("unfinished/thesis", &pulse(&[])),
-        ("unfinished/thesis", &pulse(&["--resume"])),
+    let room = suite();
+    for (mine, line, more) in [
+        ("unfinished/thesis", PULSE, ""),
+        ("unfinished/thesis", PULSE, "--resume"),
         // A map that somebody copied there.
-        ("unfinished/zeta/c/0/0", &pulse(&[])),
-        ("unfinished", &pulse(&[])),
-        ("part-1-of-2/thesis", &[&["pulse"], &CELL[..], &PULSE, &["--tile", "1/2"]].concat()),
-        ("map.zarr/thesis", &pulse(&["--files", "zarr"])),
-        ("map.zarr/zeta/thesis", &pulse(&["--files", "csv,zarr"])),
-        ("map.zarr", &pulse(&["--files", "zarr"])),
-        ("leaves.zarr/thesis", &pulse(&["--files", "zarr", "--refine", "1"])),
-        ("map.csv/thesis", &pulse(&[])),
-        ("run.json", &pulse(&[])),
-        ("run.json/thesis", &history),
-        ("run.json", &history),
-        ("motions/thesis", &envelope),
-        ("motions", &envelope),
-        ("motions/thesis", &[&envelope[..], &["--tile", "1/1"]].concat()),
-    ];
-    for (mine, arguments) in cases {
-        let out = TempDir::new().unwrap();
-        put(&out.path().join(mine), "mine");
-        let before = tree(out.path());
-        let run = topple(arguments, out.path()).assert().code(2);
-        let told = String::from_utf8(run.get_output().stderr.clone()).unwrap();
-        assert_eq!(told.lines().count(), 1, "{mine}: {told}");
-        let said = ["--out: ", "was written by no run and is in the way; move it"];
-        assert!(said.iter().all(|part| told.contains(part)), "{mine}: {told}");
-        assert_eq!(tree(out.path()), before, "{mine}, {arguments:?}");
+        ("unfinished/zeta/c/0/0", PULSE, ""),
+        ("unfinished", PULSE, ""),
+        ("part-1-of-2/thesis", PULSE.split(" --verify").next().unwrap(), "--tile 1/2"),
+        ("map.zarr/thesis", PULSE, "--files zarr"),
+        ("map.zarr/zeta/thesis", PULSE, "--files csv,zarr"),
+        ("map.zarr", PULSE, "--files zarr"),
+        ("leaves.zarr/thesis", PULSE, "--files zarr --refine 1"),
+        ("map.csv/thesis", PULSE, ""),
+        ("run.json", PULSE, ""),
+        ("run.json/thesis", HISTORY, ""),
+        ("run.json", HISTORY, ""),
+        ("motions/thesis", ENVELOPE, ""),
+        ("motions", ENVELOPE, ""),
+        ("motions/thesis", ENVELOPE, "--tile 1/1"),
+    ] {
+        room.write(&format!("out/{mine}"), "mine");
+        let before = tree(&room.at("out"));
+        let said = "was written by no run and is in the way; move it";
+        room.refuses(&format!("{line} {more} --out ./out"), &["--out: ", said]);
+        assert_eq!(tree(&room.at("out")), before, "{mine}, {line} {more}");
+        room.remove("out");
     }
 }
 
@@ -90,73 +70,42 @@ fn what_no_run_wrote_is_refused_before_anything_is_computed() {
 /// of an earlier run is replaced.
 #[test]
 fn a_file_of_a_runs_name_that_no_run_wrote_is_refused() {
-    let motions = TempDir::new().unwrap();
-    let list = suite(motions.path());
-    let under = ["--t-h", "1:2:2", "--t-v", "0.5", "--object", "1", "--u-y", "0.01"];
-    let envelope = [&["envelope", "--suite", &list], &under[..]].concat();
-    let fragility = [&["fragility", "--suite", &list, "--limit-u", "0.1"], &under[..]].concat();
-    let history = [&["history"], &CELL[..], &["--omega", "4", "--a-h", "5"]].concat();
-    let record = ["seismic", "--object", "1", "--t-h", "1:3:4", "--t-v", "0.05:0.4:4"];
-    let synthetic = [&record[..], &["--verify", "none", "--files", "csv,npz,zarr"]].concat();
-    let one = |more: &[&'static str]| {
-        let cell = [&["pulse"], &CELL[..], &["--files", "csv", "--verify", "none"]].concat();
-        [&cell[..], more].concat()
-    };
-    let line = one(&["--omega", "3", "--a-h", "2:6:4"]);
-    let slices = one(&["--omega", "3:9:4", "--a-h", "2:6:4", "--eccentricity", "0,0.2"]);
-    let commands: [(&str, Vec<&str>, &[&str]); 9] = [
+    let room = suite();
+    let line = |axes: &str| PULSE.replace("--omega 3:9:4 --a-h 2:6:4", axes) + " --files csv";
+    let fragility = ENVELOPE.replace("envelope", "fragility") + " --limit-u 0.1";
+    let record = "seismic --object 1 --t-h 1:3:4 --t-v 0.05:0.4:4 --backend cpu --verify none";
+    for (line, some) in [
+        (format!("{PULSE} --refine 1 --files csv,npz,zarr"), &["leaves.npz", "refined.svg"][..]),
+        (line("--omega 3 --a-h 2:6:4"), &["map.svg"]),
+        (line("--omega 3:9:4 --a-h 2:6:4 --eccentricity 0,0.2"), &["map-01.png", "map-02.svg"]),
         (
-            "refined",
-            pulse(&["--refine", "1", "--files", "csv,npz,zarr"]),
-            &["leaves.npz", "refined.svg"],
+            format!("{record} --files csv,npz,zarr"),
+            &["boundaries.csv", "contact.svg", "stroke_v.png", "map.zarr"],
         ),
-        ("line", line, &["map.svg"]),
-        ("slices", slices, &["map-01.png", "map-02.svg"]),
-        ("record", synthetic, &["boundaries.csv", "contact.svg", "stroke_v.png", "map.zarr"]),
-        ("history", history, &["history.png"]),
-        ("suite", vec!["suite", &list], &["suite.svg"]),
-        ("envelope", envelope, &["zeta.csv", "envelope.csv"]),
-        ("fragility", fragility, &["capacities.csv", "runs.csv", "fragility.png"]),
-        (
-            "probability",
-            pulse(&["--vary", "psi=uniform(0.2,0.4)", "--samples", "2"]),
-            &["probability.png"],
-        ),
-    ];
-    for (name, arguments, some) in commands {
-        let place = TempDir::new().unwrap();
-        let out = place.path().join("out");
-        // `suite` has no backend.
-        let run = |out: &Path| match name {
-            "suite" => Command::topple().args(&arguments).arg("--out").arg(out).assert(),
-            _ => topple(&arguments, out).assert(),
-        };
-        run(&out).success();
-        let said: serde_json::Value =
-            serde_json::from_slice(&fs::read(out.join("run.json")).unwrap()).unwrap();
-        let files: Vec<&str> =
-            said["files"].as_array().unwrap().iter().map(|file| file.as_str().unwrap()).collect();
-        assert!(some.iter().all(|file| files.contains(file)), "{name}: {files:?}");
+        (HISTORY.into(), &["history.png"]),
+        ("suite ./list.csv".into(), &["suite.svg"]),
+        (ENVELOPE.into(), &["zeta.csv", "envelope.csv"]),
+        (fragility, &["capacities.csv", "runs.csv", "fragility.png"]),
+        (format!("{PULSE} --vary psi=uniform(0.2,0.4) --samples 2"), &["probability.png"]),
+    ] {
+        room.run(&format!("{line} --out ./out"));
+        let files: Vec<String> = serde_json::from_value(room.json("out")["files"].clone()).unwrap();
+        assert!(some.iter().all(|file| files.iter().any(|own| own == file)), "{files:?}");
         for file in &files {
-            let mine = place.path().join(format!("{file}-mine"));
-            put(&mine.join(file), "mine");
-            let told = run(&mine).code(2);
-            let told = String::from_utf8(told.get_output().stderr.clone()).unwrap();
-            assert!(
-                told.lines().count() == 1 && told.contains("was written by no run"),
-                "{name}, {file}: {told}"
-            );
-            let left: Vec<_> = tree(&mine).into_values().collect();
-            assert_eq!(left, [Some(b"mine".to_vec())], "{name}, {file}");
+            room.write(&format!("mine/{file}"), "mine");
+            room.refuses(&format!("{line} --out ./mine"), &["was written by no run"]);
+            let left: Vec<_> = tree(&room.at("mine")).into_values().collect();
+            assert_eq!(left, [Some(b"mine".to_vec())], "{line}, {file}");
+            room.remove("mine");
         }
         // Its own files are replaced; those of a run that ended before its run.json was there are its own, too.
-        run(&out).success();
-        let names: Vec<String> = files.iter().map(|file| file.to_string()).collect();
-        fs::remove_file(out.join("run.json")).unwrap();
-        fs::write(out.join(".topple-about-to-write.json"), serde_json::to_vec(&names).unwrap())
-            .unwrap();
-        run(&out).success();
-        assert!(!out.join(".topple-about-to-write.json").exists());
+        room.run(&format!("{line} --out ./out"));
+        room.remove("out/run.json");
+        let about = "out/.topple-about-to-write.json";
+        room.write(about, serde_json::to_vec(&files).unwrap());
+        room.run(&format!("{line} --out ./out"));
+        assert!(!room.has(about));
+        room.remove("out");
     }
 }
 
@@ -165,25 +114,24 @@ fn a_file_of_a_runs_name_that_no_run_wrote_is_refused() {
 #[cfg(unix)]
 #[test]
 fn a_folder_of_a_runs_names_that_no_run_wrote_is_refused() {
-    let like_a_map = ["zarr.json", "zeta/c/0/0"];
     for name in ["map.zarr", "leaves.zarr", ".topple-map.zarr.old", ".topple-map.zarr.new"] {
         for linked in [true, false] {
-            let (out, elsewhere) = (TempDir::new().unwrap(), TempDir::new().unwrap());
-            let place = out.path().join(name);
-            let store = if linked { elsewhere.path().to_path_buf() } else { place.clone() };
-            like_a_map.iter().for_each(|file| put(&store.join(file), "mine"));
+            let room = Room::new();
+            let store = if linked { "elsewhere".into() } else { format!("out/{name}") };
+            room.write(&format!("{store}/zarr.json"), "mine");
+            room.write(&format!("{store}/zeta/c/0/0"), "mine");
             if linked {
-                std::os::unix::fs::symlink(elsewhere.path(), &place).unwrap();
+                room.folder("out");
+                let (from, to) = (room.at("elsewhere"), room.at("out").join(name));
+                std::os::unix::fs::symlink(from, to).unwrap();
             }
             // What a run was about to put away, or had begun, is a run's by its names.
             if name.starts_with('.') && !linked {
-                put(&store.join("thesis"), "mine");
+                room.write(&format!("{store}/thesis"), "mine");
             }
-            let before = (tree(out.path()), tree(elsewhere.path()));
-            let run = topple(&pulse(&["--refine", "1", "--files", "zarr"]), out.path()).assert();
-            let told = String::from_utf8(run.code(2).get_output().stderr.clone()).unwrap();
-            assert!(told.lines().count() == 1 && told.contains("by no run"), "{name}: {told}");
-            assert_eq!((tree(out.path()), tree(elsewhere.path())), before, "{name} {linked}");
+            let before = tree(room.path());
+            room.refuses(&format!("{PULSE} --refine 1 --files zarr --out ./out"), &["by no run"]);
+            assert_eq!(tree(room.path()), before, "{name} {linked}");
         }
     }
 }
@@ -192,83 +140,67 @@ fn a_folder_of_a_runs_names_that_no_run_wrote_is_refused() {
 /// nothing is there.
 #[test]
 fn a_directory_has_one_run_at_a_time() {
-    let motions = TempDir::new().unwrap();
-    let list = suite(motions.path());
-    let under = ["--t-h", "1:2:2", "--t-v", "0.5", "--object", "1", "--u-y", "0.01"];
-    let envelope = [&["envelope", "--suite", &list], &under[..]].concat();
-    let history = [&["history"], &CELL[..], &["--omega", "4", "--a-h", "5"]].concat();
-    let out = TempDir::new().unwrap();
-    topple(&[&envelope[..], &["--tile", "1/1"]].concat(), out.path()).assert().success();
-    let before = tree(out.path());
-    for arguments in [&pulse(&[]), &history, &pulse(&["--pixel", "--samples", "2"])] {
-        let run = topple(arguments, out.path()).assert().code(2);
-        let told = String::from_utf8(run.get_output().stderr.clone()).unwrap();
-        assert!(told.contains("a sweep under a suite runs in "), "{told}");
-        assert_eq!(tree(out.path()), before);
+    let room = suite();
+    room.run(&format!("{ENVELOPE} --tile 1/1 --out ./out"));
+    let before = tree(&room.at("out"));
+    let pixel = format!("{PULSE} --pixel --samples 2");
+    for line in [PULSE, HISTORY, &pixel] {
+        room.refuses(&format!("{line} --out ./out"), &["a sweep under a suite runs in "]);
+        assert_eq!(tree(&room.at("out")), before);
     }
-    let out = TempDir::new().unwrap();
-    let lock = topple::results::store::Store::lock(out.path()).unwrap();
-    for arguments in [&pulse(&[]), &history, &pulse(&["--pixel", "--samples", "2"]), &envelope] {
-        let run = topple(arguments, out.path()).assert().code(2);
-        let told = String::from_utf8(run.get_output().stderr.clone()).unwrap();
-        assert!(told.contains("--out: ") && told.lines().count() == 1, "{told}");
+    room.folder("locked");
+    let lock = topple::results::store::Store::lock(&room.at("locked")).unwrap();
+    for line in [PULSE, HISTORY, &pixel, ENVELOPE] {
+        room.refuses(&format!("{line} --out ./locked"), &["--out: "]);
     }
     drop(lock);
     // One that was killed leaves its lock, which nobody holds.
-    put(&out.path().join(".topple-unfinished.lock"), "");
-    topple(&history, out.path()).assert().success();
+    room.write("locked/.topple-unfinished.lock", "");
+    room.run(&format!("{HISTORY} --out ./locked"));
 }
 
 /// What is not in the way of a command is left alone, by the command and when it clears up.
 #[test]
 fn what_is_beside_a_run_stays() {
-    let motions = TempDir::new().unwrap();
-    let list = suite(motions.path());
-    let under = ["--t-h", "1:2:2", "--t-v", "0.5", "--object", "1", "--u-y", "0.01"];
-    let envelope = [&["envelope", "--suite", &list], &under[..]].concat();
-    let out = TempDir::new().unwrap();
-    for name in ["unfinished/thesis", "map.zarr/thesis", ".topple-thesis.backup"] {
-        put(&out.path().join(name), "mine");
+    let room = suite();
+    let mine = [".topple-thesis.backup", "map.zarr/thesis", "motions/notes", "unfinished/thesis"];
+    for name in [mine[0], mine[1], mine[3]] {
+        room.write(&format!("out/{name}"), "mine");
     }
     // Motions of a shard, and a file beside them.
-    topple(&[&envelope[..], &["--tile", "1/1"]].concat(), out.path()).assert().success();
-    put(&out.path().join("motions/notes"), "mine");
-    assert_eq!(fs::read_dir(out.path().join("motions")).unwrap().count(), 2);
-    topple(&[&envelope[..], &["--resume"]].concat(), out.path()).assert().success();
-    let left: Vec<PathBuf> = tree(out.path())
+    room.run(&format!("{ENVELOPE} --tile 1/1 --out ./out"));
+    room.write("out/motions/notes", "mine");
+    assert_eq!(room.names("out/motions").len(), 2);
+    room.run(&format!("{ENVELOPE} --resume --out ./out"));
+    let left: Vec<PathBuf> = tree(&room.at("out"))
         .into_iter()
         .filter(|(_, bytes)| bytes.as_deref() == Some(b"mine"))
-        .map(|(path, _)| path.strip_prefix(out.path()).unwrap().to_path_buf())
+        .map(|(path, _)| path.strip_prefix(room.at("out")).unwrap().to_path_buf())
         .collect();
-    let mine = [".topple-thesis.backup", "map.zarr/thesis", "motions/notes", "unfinished/thesis"];
     assert_eq!(left, mine.map(PathBuf::from));
-    assert_eq!(fs::read_dir(out.path().join("motions")).unwrap().count(), 1);
+    assert_eq!(room.names("out/motions").len(), 1);
     // A map of another run, with a file of somebody's in it, loses what the run wrote.
-    let out = TempDir::new().unwrap();
-    topple(&pulse(&["--files", "zarr"]), out.path()).assert().success();
-    put(&out.path().join("map.zarr/thesis"), "mine");
-    topple(&pulse(&["--files", "csv"]), out.path()).assert().success();
-    assert_eq!(fs::read_dir(out.path().join("map.zarr")).unwrap().count(), 1);
-    assert_eq!(fs::read(out.path().join("map.zarr/thesis")).unwrap(), b"mine");
+    room.run(&format!("{PULSE} --files zarr --out ./map"));
+    room.write("map/map.zarr/thesis", "mine");
+    room.run(&format!("{PULSE} --files csv --out ./map"));
+    assert_eq!(room.names("map/map.zarr"), ["thesis"]);
+    assert_eq!(room.read("map/map.zarr/thesis"), "mine");
 }
 
 /// The synthetic pair is written beside a scene, which it does in the place of nobody's file.
 #[test]
 fn a_scene_is_saved_over_nothing() {
-    let place = TempDir::new().unwrap();
-    put(&place.path().join("synthetic_h.at2"), "mine");
-    put(&place.path().join("there.toml"), "mine");
-    let before = tree(place.path());
+    let room = Room::new();
+    room.write("synthetic_h.at2", "mine");
+    room.write("there.toml", "mine");
+    let before = tree(room.path());
     for (name, said) in [
         ("new.toml", "synthetic_h.at2 was written by no run and is in the way"),
         ("there.toml", "is there already"),
     ] {
-        let file = place.path().join(name).display().to_string();
-        let scene = ["seismic", "--object", "1", "--t-h", "1:3:4", "--t-v", "0.05:0.4:4"];
-        let run = Command::topple().args(scene).args(["--save-scene", &file]).assert();
-        let told = String::from_utf8(run.code(2).get_output().stderr.clone()).unwrap();
-        assert!(told.lines().count() == 1 && told.contains(said), "{told}");
-        assert_eq!(tree(place.path()), before);
+        let scene = "seismic --object 1 --t-h 1:3:4 --t-v 0.05:0.4:4";
+        room.refuses(&format!("{scene} --save-scene ./{name}"), &[said]);
+        assert_eq!(tree(room.path()), before);
     }
 }
 
@@ -280,17 +212,16 @@ fn files_have_the_rights_that_the_mask_leaves() {
     for (mask, file, folder) in
         [("077", 0o600, 0o700), ("027", 0o640, 0o750), ("002", 0o664, 0o775)]
     {
-        let place = TempDir::new().unwrap();
-        let out = place.path().join("out");
-        let binary = crate::common::command::program();
+        let room = Room::new();
         let run = std::process::Command::new("sh")
             .args(["-c", &format!("umask {mask}; exec \"$0\" \"$@\"")])
-            .arg(binary)
-            .args(pulse(&["--files", "csv,npz,zarr", "--quiet", "--backend", "cpu", "--out"]))
-            .arg(&out)
+            .arg(crate::common::command::program())
+            .args(PULSE.split(' '))
+            .args(["--files", "csv,npz,zarr", "--quiet", "--out"])
+            .arg(room.at("out"))
             .status();
         assert!(run.unwrap().success());
-        let all = tree(&out);
+        let all = tree(&room.at("out"));
         assert!(all.len() > 40, "{all:?}");
         for (path, bytes) in all {
             let mode = path.metadata().unwrap().permissions().mode() & 0o777;

@@ -1,221 +1,168 @@
 //! Hazard curves of a fragility: the units of their levels, rates without a curve.
 
-use std::fs;
-use std::path::Path;
-
-use crate::common::command::Assert;
 use approx::assert_relative_eq;
 
-use crate::fragility::{BASE, number, refusal, rows, said, suite, topple, within};
+use crate::common::room::{Room, Said, number};
+use crate::fragility::{BASE, FRAGILITY, ONE};
 
 /// What is said of rates, and on the way of errors, but that four recordings are few.
-fn heard(run: &Assert) -> (String, String) {
-    let warned = String::from_utf8(run.get_output().stderr.clone()).unwrap();
+fn heard(run: Said) -> (String, String) {
     let few = |line: &&str| line.contains("the intervals are of 4 recordings; of fewer than 10");
-    assert_eq!(warned.lines().filter(few).count(), 1, "{warned}");
-    let rest = warned.lines().filter(|line| !few(line)).map(|line| format!("{line}\n"));
-    (said(run), rest.collect())
+    assert_eq!(run.err.lines().filter(few).count(), 1, "{}", run.err);
+    let rest = run.err.lines().filter(|line| !few(line)).map(|line| format!("{line}\n"));
+    let warned = rest.collect();
+    (run.out, warned)
 }
 
 /// The levels of a hazard curve are in g where its header or a flag says so, in m/s2 with a warning where nothing does: the same site is below a
 /// target by one and above it by the other.
 #[test]
 fn the_units_of_a_hazard_curve_are_said() {
-    let (place, list) = suite();
+    let room = Room::suite();
     let levels: Vec<f64> = (0..12).map(|k| 0.02 * 1.7_f64.powi(k)).collect();
     let write = |name: &str, header: &str, scale: f64| {
         let row = |level: &f64| format!("{},{}\n", scale * level, 2.0e-6 / level.powi(2));
         let rows: String = levels.iter().map(row).collect();
-        let (file, path) = within(&place, name);
-        fs::write(file, format!("{header}{rows}")).unwrap();
-        path
+        room.write(name, format!("{header}{rows}"));
     };
-    let fragility = |name: &str, hazard: &str, more: &[&str]| {
-        let (out, to) = within(&place, name);
-        let asked = ["--levels", "1:16:12:log", "--t-h", "1.5", "--t-v", "0.5", "--verify", "none"];
-        let site = ["--hazard", hazard, "--estimator", "stripes", "--bootstrap", "39"];
-        // With a damper of its own nothing else is warned of.
-        let common =
-            ["fragility", "--suite", &list, "--out", &to, "--target", "1e-5", "--xi-h", "0.1"];
-        let run = topple(&[&common[..], &BASE, &asked, &site, more].concat());
-        (out, run)
+    write("silent.csv", "level,rate\n", 1.0);
+    write("header.csv", "PGA [g],afe\n", 1.0);
+    write("si.csv", "anything,rate\n", 9.81);
+    // With a damper of its own nothing else is warned of.
+    let own = "--levels 1:16:12:log --estimator stripes --bootstrap 39 --target 1e-5 --xi-h 0.1";
+    let line = |more: &str| format!("{FRAGILITY} {BASE} {ONE} {own} --hazard {more}");
+    let run = |more: &str| {
+        let (told, warned) = heard(room.run(&line(more)));
+        (told, warned, number(&room.rows("out/rates.csv")[0], "rate"))
     };
-    let rate = |out: &Path| number(&rows(&out.join("rates.csv"))[0], "rate");
-    let silent = write("silent.csv", "level,rate\n", 1.0);
-    let (in_g, run) = fragility("g", &silent, &["--hazard-units", "g"]);
-    let (told, warned) = heard(&run.success());
+    let (told, warned, in_g) = run("./silent.csv --hazard-units g");
     let read = "m/s², read in g; annual rates `rate` of `level`\n";
     assert!(told.contains(read) && warned.is_empty(), "{told} {warned}");
-    let (_, run) = fragility("header", &write("header.csv", "PGA [g],afe\n", 1.0), &[]);
-    assert!(heard(&run.success()).1.is_empty());
-    let (si, run) =
-        fragility("si", &write("si.csv", "anything,rate\n", 9.81), &["--hazard-units", "m/s2"]);
-    run.success();
-    for name in ["header", "si"] {
-        assert_relative_eq!(rate(&within(&place, name).0), rate(&in_g), max_relative = 1e-9);
-    }
-    let (assumed, run) = fragility("assumed", &silent, &[]);
-    let (told, warned) = heard(&run.success());
+    assert!(told.contains("         not below the target 0.00001: "), "{told}");
+    let (_, warned, rate) = run("./header.csv");
+    assert!(warned.is_empty(), "{warned}");
+    assert_relative_eq!(rate, in_g, max_relative = 1e-9);
+    let (_, _, rate) = run("./si.csv --hazard-units m/s2");
+    assert_relative_eq!(rate, in_g, max_relative = 1e-9);
+    let json = room.json("out");
+    assert_eq!((&json["hazard_units"], &json["resample"]), (&"m/s2".into(), &"recording".into()));
+    assert_eq!(json["groups"], 4);
+    let (told, warned, assumed) = run("./silent.csv");
     assert!(warned.contains("nothing tells the unit of its levels, m/s2 is taken"), "{warned}");
     // By a factor of nearly 9.81 squared, on different sides of the target; with one cell that is said.
-    assert!(rate(&assumed) < 0.05 * rate(&in_g), "{} {}", rate(&assumed), rate(&in_g));
+    assert!(assumed < 0.05 * in_g, "{assumed} {in_g}");
     assert!(told.contains("         below the target 0.00001: "), "{told}");
-    let told = fs::read_to_string(si.join("run.json")).unwrap();
-    let run: serde_json::Value = serde_json::from_str(&told).unwrap();
-    assert_eq!((&run["hazard_units"], &run["resample"]), (&"m/s2".into(), &"recording".into()));
-    assert_eq!(run["groups"], 4);
-    let (_, run) = fragility("g", &silent, &["--hazard-units", "g"]);
-    let (told, _) = heard(&run.success());
-    assert!(told.contains("         not below the target 0.00001: "), "{told}");
     // OpenQuake's curve of the site, its probabilities those of 50 years.
     let poe = |level: &f64| format!("{:e}", -(-50.0 * 2.0e-6 / level.powi(2)).exp_m1());
     let names: Vec<String> = levels.iter().map(|level| format!("poe-{level:.9}")).collect();
     let values: Vec<String> = levels.iter().map(poe).collect();
-    let (file, path) = within(&place, "openquake.csv");
     let comment = "#,,,\"generated_by='OpenQuake engine 3.26.2', kind='mean', investigation_time=50.0, imt='PGA'\"";
     let (names, values) = (names.join(","), values.join(","));
-    fs::write(file, format!("{comment}\nlon,lat,depth,{names}\n12.5,41.9,0.0,{values}\n")).unwrap();
-    let (of_site, run) = fragility("site", &path, &[]);
-    let (told, warned) = heard(&run.success());
+    room.write(
+        "openquake.csv",
+        format!("{comment}\nlon,lat,depth,{names}\n12.5,41.9,0.0,{values}\n"),
+    );
+    let (told, warned, rate) = run("./openquake.csv");
     let read = "m/s², read in g; OpenQuake, mean, PGA, probabilities in 50 years, site lon 12.5, lat 41.9\n";
     assert!(told.contains(read) && warned.is_empty(), "{told} {warned}");
-    assert_relative_eq!(rate(&of_site), rate(&in_g), max_relative = 1e-6);
-    let (_, run) = fragility("pgv", &path, &["--im", "pgv"]);
-    assert!(refusal(&run.code(2)).contains("the curve is of PGA, not of pgv"));
-    let (_, run) = fragility("pgv", &silent, &["--im", "pgv", "--hazard-units", "g"]);
-    assert!(refusal(&run.code(2)).contains("pgv is no acceleration"));
+    assert_relative_eq!(rate, in_g, max_relative = 1e-6);
+    room.refuses(&line("./openquake.csv --im pgv"), &["the curve is of PGA, not of pgv"]);
+    room.refuses(&line("./silent.csv --im pgv --hazard-units g"), &["pgv is no acceleration"]);
 }
 
 /// A curve whose words say another thing than annual rates of the measure is refused in a line, and nothing is written.
 #[test]
 fn a_curve_of_another_thing_is_refused() {
-    let (place, list) = suite();
-    let (file, path) = within(&place, "site.csv");
-    let (out, to) = within(&place, "out");
-    for (heading, im, more, wanted) in [
-        ("PGA [g],PoE50", "pga", "", "line 1, column PoE50: says no annual rate of exceedance"),
-        ("PGA [g],PoE50", "pga", "--hazard-units g", "line 1, column PoE50: says no annual rate"),
-        ("PSA [g],rate", "pga", "", "line 1, column PSA [g]: these are no levels of pga"),
-        ("Sa(0.2 s) (g),AFE", "sa:1.8", "", "these are no levels of sa:1.8"),
-        ("PGA [g_n],rate", "pga", "", "levels in `g n` are not read; give g, m/s2, cm/s2"),
-        ("PGV [mm/s],rate", "pgv", "", "levels in `mm/s` are not read; give m/s, cm/s"),
-        ("PGA [g],rate,source", "pga", "", "line 1: it has 3 columns"),
+    let room = Room::suite();
+    for (heading, more, wanted) in [
+        ("PGA [g],PoE50", "pga", "line 1, column PoE50: says no annual rate of exceedance"),
+        ("PGA [g],PoE50", "pga --hazard-units g", "line 1, column PoE50: says no annual rate"),
+        ("PSA [g],rate", "pga", "line 1, column PSA [g]: these are no levels of pga"),
+        ("Sa(0.2 s) (g),AFE", "sa:1.8", "these are no levels of sa:1.8"),
+        ("PGA [g_n],rate", "pga", "levels in `g n` are not read; give g, m/s2, cm/s2"),
+        ("PGV [mm/s],rate", "pgv", "levels in `mm/s` are not read; give m/s, cm/s"),
+        ("PGA [g],rate,source", "pga", "line 1: it has 3 columns"),
     ] {
-        fs::write(&file, format!("{heading}\n0.1,0.01\n0.2,0.001\n")).unwrap();
-        let common = ["fragility", "--suite", &list, "--out", &to, "--hazard", &path, "--im", im];
-        let more: Vec<&str> = more.split_whitespace().collect();
-        let base = ["--t-h", "1.5", "--t-v", "0.5", "--levels", "1,2"];
-        let line = refusal(&topple(&[&common[..], &BASE, &base, &more].concat()).code(2));
-        assert!(line.contains(wanted) && line.contains("--hazard: "), "{heading}: {line}");
-        assert!(!out.exists(), "{heading}");
+        room.write("site.csv", format!("{heading}\n0.1,0.01\n0.2,0.001\n"));
+        let site = format!("--hazard ./site.csv --levels 1,2 --im {more}");
+        room.refuses(&format!("{FRAGILITY} {BASE} {ONE} {site}"), &[wanted, "--hazard: "]);
+        assert!(!room.has("out"), "{heading}");
     }
 }
 
 /// Where nothing fails there is no rate but a bound, and where the highest level alone fails no rate of zero.
 #[test]
 fn rates_without_a_curve_have_bounds() {
-    let (place, list) = suite();
-    let (hazard, path) = within(&place, "site.csv");
-    fs::write(&hazard, "pga [m/s2],rate\n0.1,1e-1\n100,1e-7\n").unwrap();
-    let rates = |name: &str, levels: &str| {
-        let (out, to) = within(&place, name);
-        let asked =
-            ["--levels", levels, "--isolation", "none", "--object", "1", "--verify", "none"];
-        let common = ["fragility", "--suite", &list, "--out", &to, "--hazard", &path];
-        let run = topple(
-            &[&common[..], &asked, &["--estimator", "stripes", "--target", "1e-2"]].concat(),
-        );
-        (said(&run.success()), rows(&out.join("rates.csv")).remove(0))
+    let room = Room::suite();
+    room.write("site.csv", "pga [m/s2],rate\n0.1,1e-1\n100,1e-7\n");
+    let block = "--isolation none --object 1 --backend cpu --precision f64 --verify none";
+    // lambda = 1e-3/x^2.
+    let rates = |levels: &str| {
+        let site = "--hazard ./site.csv --estimator stripes --target 1e-2";
+        let told = room.run(&format!("{FRAGILITY} {block} {site} --levels {levels}")).out;
+        let row = room.rows("out/rates.csv").remove(0);
+        let most = number(&row, "rate_high") + number(&row, "missing_above");
+        assert_relative_eq!(most, 1.0e-3, max_relative = 1e-9);
+        assert_eq!(row["rate"], "");
+        (told, row)
     };
-    // lambda = 1e-3/x^2; the statue falls at no level up to 1.
-    let (told, row) = rates("none", "0.5,0.7,1");
-    assert!(
-        told.contains("annual rate not known: no motion fails up to 1 m/s²; 1e-3 if all above do")
-            || told.contains(
-                "annual rate not known: no motion fails up to 1 m/s²; 0.001 if all above do"
-            ),
-        "{told}"
-    );
-    assert_eq!((&row["rate"][..], &row["rate_low"][..]), ("", "0.0"));
-    assert_relative_eq!(
-        number(&row, "rate_high") + number(&row, "missing_above"),
-        1.0e-3,
-        max_relative = 1e-9
-    );
-    assert_eq!((row["below_target"].as_str(), number(&row, "rate_empirical")), ("1", 0.0));
+    // The statue falls at no level up to 1.
+    let (told, row) = rates("0.5,0.7,1");
+    let unknown = "annual rate not known: no motion fails up to 1 m/s²; ";
+    let ends = ["1e-3 if all above do", "0.001 if all above do"];
+    assert!(ends.iter().any(|end| told.contains(&format!("{unknown}{end}"))), "{told}");
+    assert_eq!((&*row["rate_low"], &*row["below_target"]), ("0.0", "1"));
+    assert_eq!(number(&row, "rate_empirical"), 0.0);
     // Some of four fall at the highest level alone.
     let highest = [2.2, 2.4, 2.6, 2.8, 3.0, 3.2, 3.6, 4.0].into_iter().find(|level| {
-        let (_, to) = within(&place, "probe");
-        let levels = format!("0.5,{level}");
-        let common = ["fragility", "--suite", &list, "--out", &to, "--levels", &levels];
-        let block = ["--isolation", "none", "--object", "1", "--verify", "none"];
-        topple(&[&common[..], &block].concat()).success();
-        let counts = rows(&Path::new(&to).join("fragility.csv"));
-        (1..4).contains(&(number(&counts[1], "failed") as u32))
+        room.run(&format!("{FRAGILITY} {block} --levels 0.5,{level}"));
+        (1..4).contains(&(number(&room.rows("out/fragility.csv")[1], "failed") as u32))
     });
-    let levels = format!("0.5,1,{}", highest.unwrap());
-    let (told, row) = rates("one", &levels);
-    assert!(
-        told.contains("annual rate not known: motions fail at an end of the levels alone"),
-        "{told}"
-    );
-    assert_eq!(row["rate"], "");
-    assert_relative_eq!(
-        number(&row, "rate_high") + number(&row, "missing_above"),
-        1.0e-3,
-        max_relative = 1e-9
-    );
+    let (told, row) = rates(&format!("0.5,1,{}", highest.unwrap()));
+    let unknown = "annual rate not known: motions fail at an end of the levels alone";
+    assert!(told.contains(unknown), "{told}");
     assert!(number(&row, "rate_empirical") > 0.0);
 }
 
 /// Levels in another unit than that of the hazard curve, or than was meant, are warned of; so are events that are too few.
 #[test]
 fn levels_and_events_that_tell_little_are_warned_of() {
-    let (place, list) = suite();
-    let hazard = |name: &str, rows: &str| {
-        let (file, path) = within(&place, name);
-        fs::write(file, format!("PGA [m/s2],rate\n{rows}")).unwrap();
-        path
-    };
-    let run = |more: &[&str]| {
-        let (out, to) = within(&place, "out");
-        let asked = ["--t-h", "1.5", "--t-v", "0.5", "--verify", "none", "--bootstrap", "39"];
-        let common = ["fragility", "--out", &to];
-        let run = topple(&[&common[..], &BASE, &asked, more].concat()).success();
-        let told = String::from_utf8(run.get_output().stderr.clone()).unwrap();
-        let json = fs::read_to_string(out.join("run.json")).unwrap();
-        let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let room = Room::suite();
+    room.write("low.csv", "PGA [m/s2],rate\n0.05,1e-1\n0.5,1e-3\n");
+    room.write("usual.csv", "PGA [m/s2],rate\n0.5,1e-1\n20,1e-4\n");
+    let rows = ["a", "b", "c", "d"].map(|name| format!("{name},{name}.txt,0.02,m/s2,quake\n"));
+    room.write("events.csv", format!("id,horizontal,dt,units,event\n{}", rows.concat()));
+    let run = |more: &str| {
+        let told =
+            room.run(&format!("fragility {BASE} {ONE} --bootstrap 39 --out ./out {more}")).err;
         let kept: Vec<String> =
-            serde_json::from_value(json["warnings"].clone()).unwrap_or_default();
+            serde_json::from_value(room.json("out")["warnings"].clone()).unwrap_or_default();
         // What is warned of is kept.
         assert_eq!(told.matches("topple: warning: ").count(), kept.len(), "{told} {kept:?}");
         assert!(kept.iter().all(|one| told.contains(one)), "{told} {kept:?}");
         told
     };
-    let of = ["--suite", &list];
-    let told = run(&[&of[..], &["--levels", "0.05:0.5:4:log"]].concat());
-    assert!(
-        told.contains("the levels, 0.05 to 0.5 m/s²: levels are in m/s²; if they were meant in g"),
-        "{told}"
-    );
-    let low = hazard("low.csv", "0.05,1e-1\n0.5,1e-3\n");
-    let told = run(&[&of[..], &["--levels", "1:16:8:log", "--hazard", &low]].concat());
-    assert!(
-        told.contains("all levels, 1 to 16 m/s², are above the hazard curve, 0.05 to 0.5 m/s²"),
-        "{told}"
-    );
-    let usual = hazard("usual.csv", "0.5,1e-1\n20,1e-4\n");
-    let told = run(&[&of[..], &["--levels", "1:16:8:log", "--hazard", &usual]].concat());
+    for (more, wanted) in [
+        (
+            "--suite ./list.csv --levels 0.05:0.5:4:log",
+            "the levels, 0.05 to 0.5 m/s²: levels are in m/s²; if they were meant in g",
+        ),
+        (
+            "--suite ./list.csv --levels 1:16:8:log --hazard ./low.csv",
+            "all levels, 1 to 16 m/s², are above the hazard curve, 0.05 to 0.5 m/s²",
+        ),
+        (
+            "--suite ./events.csv --levels 1:16:8:log",
+            "the motions are of 1 event, too few for intervals by event (10)",
+        ),
+        (
+            "--suite ./events.csv --levels 1:16:8:log --resample event",
+            "the intervals are of 1 event; of fewer than 10",
+        ),
+    ] {
+        let told = run(more);
+        assert!(told.contains(wanted), "{wanted}: {told}");
+    }
+    let told = run("--suite ./list.csv --levels 1:16:8:log --hazard ./usual.csv");
     assert!(!told.contains("in the same unit") && !told.contains("meant in g"), "{told}");
-    let events = place.path().join("events.csv");
-    let rows = ["a", "b", "c", "d"].map(|name| format!("{name},{name}.txt,0.02,m/s2,quake\n"));
-    fs::write(&events, format!("id,horizontal,dt,units,event\n{}", rows.concat())).unwrap();
-    let of = ["--suite", events.to_str().unwrap(), "--levels", "1:16:8:log"];
-    let told = run(&of);
-    assert!(
-        told.contains("the motions are of 1 event, too few for intervals by event (10)"),
-        "{told}"
-    );
-    let told = run(&[&of[..], &["--resample", "event"]].concat());
-    assert!(told.contains("the intervals are of 1 event; of fewer than 10"), "{told}");
 }

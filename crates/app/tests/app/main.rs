@@ -18,7 +18,6 @@ mod ending;
 mod envelopes;
 mod experiments;
 mod explore;
-mod exported;
 mod exported_curves;
 mod figures;
 mod first_hour;

@@ -1,12 +1,12 @@
 //! The table of parameters: flags, keys, help and the page are made of it.
 
-use crate::common::command::Command;
-use tempfile::TempDir;
 use topple::results::columns::{self, TABLE};
 use topple::scene::builder::SceneBuilder;
 use topple::scene::manual;
 use topple::scene::parameters::{PARAMETERS, Section};
 use topple::scene::{Grid, Parameter, Scene};
+
+use crate::common::room::Room;
 
 #[test]
 fn the_pages_are_made_of_the_tables() {
@@ -33,10 +33,7 @@ fn the_pages_are_made_of_the_tables() {
 /// Every number is a flag of the commands that have use for it, with its help, and a key of its section.
 #[test]
 fn every_number_is_a_flag_and_a_key() {
-    let help = |command: &str| {
-        let run = Command::topple().args([command, "--help"]).assert().success();
-        String::from_utf8(run.get_output().stdout.clone()).unwrap()
-    };
+    let help = |command: &str| Room::new().run(&format!("{command} --help")).out;
     let [pulse, seismic, history] = ["pulse", "seismic", "history"].map(help);
     for entry in &PARAMETERS {
         let of = match entry.section {
@@ -58,35 +55,18 @@ fn every_number_is_a_flag_and_a_key() {
     }
 }
 
-/// A scene's arguments, some of them replaced.
-fn run(more: &[&str]) -> crate::common::command::Assert {
-    let directory = TempDir::new().unwrap();
-    let good = [
-        ("--half-width", "0.2"),
-        ("--height", "0.9"),
-        ("--t-h", "1.75"),
-        ("--t-v", "0.75"),
-        ("--omega", "5"),
-        ("--a-h", "3"),
-        ("--t-max", "2"),
-    ];
-    let mut list = vec!["pulse", "--backend", "cpu", "--quiet"];
-    for (flag, value) in good {
-        if !more.contains(&flag) {
-            list.extend([flag, value]);
-        }
-    }
-    list.extend(more);
-    Command::topple().args(list).current_dir(directory.path()).assert()
+/// The line of a scene, some of its flags replaced.
+fn line(more: &str) -> String {
+    let good = "--half-width 0.2,--height 0.9,--t-h 1.75,--t-v 0.75,--omega 5,--a-h 3,--t-max 2";
+    let given = |flag: &str| more.split(' ').any(|word| word == flag);
+    let kept = good.split(',').filter(|pair| !given(pair.split(' ').next().unwrap()));
+    let kept = kept.collect::<Vec<_>>().join(" ");
+    format!("pulse --backend cpu --quiet --out ./out {kept} {more}")
 }
 
-fn refused(more: &[&str], said: &[&str]) {
-    let run = run(more).code(2);
-    let error = String::from_utf8(run.get_output().stderr.clone()).unwrap();
-    assert_eq!(error.lines().count(), 1, "{error}");
-    for word in said {
-        assert!(error.contains(word), "'{word}' in: {error}");
-    }
+#[track_caller]
+fn refused(more: &str, said: &[&str]) {
+    Room::new().refuses(&line(more), said);
 }
 
 #[test]
@@ -97,63 +77,51 @@ fn what_a_person_mistypes_is_refused_and_accepted_when_forced() {
         ("--step", "10", "seconds"),
         ("--offset", "80", "metres"),
     ] {
-        refused(&[flag, value], &[flag, "not plausible", said, "--force"]);
+        refused(&format!("{flag} {value}"), &[flag, "not plausible", said, "--force"]);
     }
-    run(&["--half-width", "300", "--height", "900", "--force"]).success();
-    run(&["--xi-h", "5", "--force"]).success();
+    Room::new().run(&line("--half-width 300 --height 900 --force"));
+    Room::new().run(&line("--xi-h 5 --force"));
     // Beyond what makes sense at all nothing is accepted.
-    refused(&["--xi-h", "50", "--force"], &["--xi-h", "between 0 and 10"]);
+    refused("--xi-h 50 --force", &["--xi-h", "between 0 and 10"]);
 }
 
 #[test]
 fn negative_numbers_have_the_ranges_message() {
-    refused(&["--mass", "-900"], &["--mass", "-900 must be a positive number"]);
-    refused(&["--t-h", "-1:2:5"], &["--t-h", "-1 must be a positive number"]);
-    refused(&["--eccentricity", "-1.5"], &["--eccentricity", "between -1 and 1"]);
-    run(&["--eccentricity", "-.5"]).success();
+    refused("--mass -900", &["--mass", "-900 must be a positive number"]);
+    refused("--t-h -1:2:5", &["--t-h", "-1 must be a positive number"]);
+    refused("--eccentricity -1.5", &["--eccentricity", "between -1 and 1"]);
+    Room::new().run(&line("--eccentricity -.5"));
 }
 
 #[test]
 fn alternatives_exclude_each_other() {
-    let strength = ["--u-y", "0.01", "--alpha-y", "0.1"];
-    refused(&strength, &["--u-y", "--alpha-y says it too"]);
-    refused(
-        &["--eccentricity", "0.1", "--offset", "0.02"],
-        &["--offset", "--eccentricity says it too"],
-    );
-    refused(&["--yield-force", "500"], &["--mass", "missing"]);
-    refused(&["--offset", "0.2"], &["--offset", "outside the base"]);
+    refused("--u-y 0.01 --alpha-y 0.1", &["--u-y", "--alpha-y says it too"]);
+    refused("--eccentricity 0.1 --offset 0.02", &["--offset", "--eccentricity says it too"]);
+    refused("--yield-force 500", &["--mass", "missing"]);
+    refused("--offset 0.2", &["--offset", "outside the base"]);
 }
 
 #[test]
 fn seven_axes_are_too_many() {
-    let two = "1,2";
-    let flags = ["--t-h", "--t-v", "--omega", "--a-h", "--a-v", "--half-width", "--height"];
-    let list: Vec<&str> = flags.iter().flat_map(|flag| [*flag, two]).collect();
-    refused(&list, &["7 parameters", "6 at most"]);
+    let axes = "--t-h 1,2 --t-v 1,2 --omega 1,2 --a-h 1,2 --a-v 1,2 --half-width 1,2 --height 1,2";
+    refused(axes, &["7 parameters", "6 at most"]);
 }
 
-/// The head of map.csv of a run.
-fn head(more: &[&str]) -> String {
-    let directory = TempDir::new().unwrap();
-    let mut list = vec!["pulse", "--backend", "cpu", "--quiet", "--object", "1", "--t-v", "0.75"];
-    list.extend(more);
-    let mut run = Command::topple();
-    run.args(list).current_dir(directory.path()).assert().success();
-    let out = directory.path().join("topple-out");
-    let picture = std::fs::read_to_string(out.join("map.svg")).unwrap();
-    assert!(picture.contains("<svg"));
-    let table = std::fs::read_to_string(out.join("map.csv")).unwrap();
-    table.lines().next().unwrap().split(",outcome").next().unwrap().to_string()
+/// The axes of map.csv of a run.
+fn axes(more: &str) -> String {
+    let room = Room::new();
+    let line = "pulse --backend cpu --quiet --object 1 --t-v 0.75 --out ./out";
+    room.run(&format!("{line} {more}"));
+    assert!(room.read("out/map.svg").contains("<svg"));
+    room.heading("out/map.csv").split(",outcome").next().unwrap().into()
 }
 
 #[test]
 fn the_pictures_axes_are_those_that_were_chosen() {
-    let two = ["--t-h", "1", "--omega", "3:4:3", "--a-h", "1:6:3", "--t-max", "2"];
-    let with = |flags: &[&'static str], more: &[&'static str]| [flags, more].concat();
-    assert_eq!(head(&two), "omega,a_h");
-    assert_eq!(head(&with(&two, &["--y", "omega"])), "a_h,omega");
-    assert_eq!(head(&with(&two, &["--x", "a-h"])), "a_h,omega");
+    let two = "--t-h 1 --omega 3:4:3 --a-h 1:6:3 --t-max 2";
+    assert_eq!(axes(two), "omega,a_h");
+    assert_eq!(axes(&format!("{two} --y omega")), "a_h,omega");
+    assert_eq!(axes(&format!("{two} --x a-h")), "a_h,omega");
     let scene = |x: Option<Parameter>, y: Option<Parameter>| {
         let text = "[block]\nobject = 1\n[base]\nt_h = \"1,2\"\nt_v = 1\n\
                     [pulse]\nomega = \"3:4:3\"\na_h = \"1:6:4\"\n";
@@ -166,11 +134,8 @@ fn the_pictures_axes_are_those_that_were_chosen() {
     assert_eq!(scene(None, Some(Parameter::TH)), "omega,t_h,a_h");
     assert_eq!(scene(Some(Parameter::TH), None), "t_h,omega,a_h");
     assert_eq!(scene(Some(Parameter::AH), Some(Parameter::TH)), "a_h,t_h,omega");
-    refused(&["--t-h", "1", "--x", "t_h"], &["--x: --t-h is no axis"]);
-    refused(
-        &["--omega", "1,2", "--x", "omega", "--y", "omega"],
-        &["--y: --omega is along the other axis"],
-    );
+    refused("--t-h 1 --x t_h", &["--x: --t-h is no axis"]);
+    refused("--omega 1,2 --x omega --y omega", &["--y: --omega is along the other axis"]);
 }
 
 /// A name that an outcome's column has too would be there twice.
@@ -179,17 +144,13 @@ fn no_number_has_the_name_of_a_column() {
     for entry in &PARAMETERS {
         assert!(TABLE.iter().all(|column| column.name != entry.key), "{}", entry.key);
     }
-    assert_eq!(
-        head(&["--t-h", "1", "--omega", "3", "--a-h", "5", "--friction", "0.1,0.3"]),
-        "friction"
-    );
+    assert_eq!(axes("--t-h 1 --omega 3 --a-h 5 --friction 0.1,0.3"), "friction");
 }
 
 /// The scene to start from is the default scene, and has every key there is, each with what it means.
 #[test]
 fn a_scene_to_start_from() {
-    let run = Command::topple().arg("scene").assert().success();
-    let text = String::from_utf8(run.get_output().stdout.clone()).unwrap();
+    let text = Room::new().run("scene").out;
     let of = |text: &str| SceneBuilder::from_toml(text).unwrap().check().unwrap();
     let default = include_str!("../../../../scenes/default.toml");
     // Without its title, which is of its own block.

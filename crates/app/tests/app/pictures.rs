@@ -1,43 +1,35 @@
 //! Pictures as a reader of a journal sees them: letters, lines and legends in print.
 
-use std::fs;
-use std::path::Path;
-
-use crate::common::command::Command;
-use tempfile::TempDir;
-
-use super::common::refused;
-use super::fragility::{BASE, suite};
+use crate::common::room::{Room, number};
 
 /// Points of a millimetre.
 const MILLIMETRE: f64 = 72.0 / 25.4;
 
-fn topple(arguments: &[&str], out: &Path) {
-    let mut command = Command::topple();
-    command.args(arguments).arg("--out").arg(out).arg("--quiet").assert().success();
+/// A block on a base, and maps of it with blocks that overturn about either corner.
+const CELL: &str = "--object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75";
+
+const GRID: &str = "--omega 0.2:15:30 --a-h 0.1:15:30 --backend cpu";
+
+const SMALL: &str = "--omega 0.2:15:4 --a-h 0.1:15:4 --backend cpu";
+
+const LINE: &str = "--omega 5 --a-h 0.1:15:9 --backend cpu";
+
+const HISTORY: &str = "--omega 9 --a-h 8.4";
+
+const RECORD: &str = "seismic --object 1 --t-h 0.5:4:6 --t-v 0.02:2:6 --backend cpu";
+
+fn map() -> String {
+    format!("pulse {CELL} {GRID}")
 }
 
-/// A map with blocks that overturn about either corner.
-const MAP: [&str; 15] = [
-    "pulse",
-    "--object",
-    "1",
-    "--eccentricity",
-    "0.2",
-    "--t-h",
-    "1.75",
-    "--t-v",
-    "0.75",
-    "--omega",
-    "0.2:15:30",
-    "--a-h",
-    "0.1:15:30",
-    "--backend",
-    "cpu",
-];
+/// Runs a command into a folder.
+#[track_caller]
+fn run(room: &Room, line: &str, out: &str) {
+    room.run(&format!("{line} --quiet --out ./{out}"));
+}
 
-fn svg(out: &Path, name: &str) -> String {
-    fs::read_to_string(out.join(format!("{name}.svg"))).unwrap()
+fn svg(room: &Room, name: &str) -> String {
+    room.read(&format!("{name}.svg"))
 }
 
 /// The numbers of an attribute.
@@ -77,42 +69,37 @@ fn is_printable(svg: &str, name: &str) {
 
 #[test]
 fn maps_and_histories_are_readable_in_a_column() {
-    let out = TempDir::new().unwrap();
-    topple(&MAP, &out.path().join("map"));
-    topple(
-        &[&MAP[..9], &["--omega", "5", "--a-h", "0.1:15:30"]].concat(),
-        &out.path().join("line"),
-    );
-    let record = ["seismic", "--object", "1", "--t-h", "0.5:4:12", "--t-v", "0.02:2:12"];
-    topple(&[&record[..], &["--backend", "cpu"]].concat(), &out.path().join("record"));
+    let room = Room::new();
+    run(&room, &map(), "map");
+    run(&room, &format!("pulse {CELL} --omega 5 --a-h 0.1:15:30"), "line");
+    run(&room, "seismic --object 1 --t-h 0.5:4:12 --t-v 0.02:2:12 --backend cpu", "record");
     let names = ["map", "displacement_u", "displacement_v", "stroke_v", "contact"];
-    let pictures = [("map", "map"), ("line", "map")];
-    for (folder, name) in pictures.into_iter().chain(names.map(|name| ("record", name))) {
-        is_printable(&svg(&out.path().join(folder), name), &format!("{folder}/{name}"));
+    let of_record = names.map(|name| format!("record/{name}"));
+    for name in ["map/map".to_string(), "line/map".into()].into_iter().chain(of_record) {
+        is_printable(&svg(&room, &name), &name);
     }
     // Two maps share a legend, which says a thing once.
-    let contact = words(&svg(&out.path().join("record"), "contact"));
+    let contact = words(&svg(&room, "record/contact"));
     assert_eq!(contact.matches("border of overturning").count(), 1, "{contact}");
-    let line = words(&svg(&out.path().join("line"), "map"));
+    let line = words(&svg(&room, "line/map"));
     assert!(line.contains("along Ah") && line.contains(" %"), "{line}");
 }
 
 #[test]
 fn a_chart_is_readable_in_a_column() {
-    let out = TempDir::new().unwrap();
-    topple(&["chart", "--quick", "--no-shader"], out.path());
-    for name in ["pulse", "record", "free", "maps"] {
-        is_printable(&svg(out.path(), name), name);
+    let room = Room::new();
+    run(&room, "chart --quick --no-shader", "out");
+    for name in ["out/pulse", "out/record", "out/free", "out/maps"] {
+        is_printable(&svg(&room, name), name);
     }
 }
 
 /// The ground, and marks for uplifts and impacts that differ, all of them in the legend.
 #[test]
 fn a_history_shows_what_shakes_and_what_switches() {
-    let out = TempDir::new().unwrap();
-    let cell = ["--omega", "9", "--a-h", "8.4", "--a-v", "0.5"];
-    topple(&[&["history"], &MAP[1..9], &cell].concat(), out.path());
-    let svg = svg(out.path(), "history");
+    let room = Room::new();
+    run(&room, &format!("history {CELL} {HISTORY} --a-v 0.5"), "out");
+    let svg = svg(&room, "out/history");
     is_printable(&svg, "history");
     let said = words(&svg);
     for word in
@@ -130,12 +117,10 @@ fn a_history_shows_what_shakes_and_what_switches() {
 /// The legend has what the map has: a friction coefficient that no motion keeps to hatches it.
 #[test]
 fn a_legend_explains_hatches_where_there_are_some() {
-    let out = TempDir::new().unwrap();
-    let hatched = [&MAP[..], &["--friction", "0.1"]].concat();
-    topple(&hatched, &out.path().join("hatched"));
-    topple(&MAP, &out.path().join("plain"));
-    let (hatched, plain) =
-        ["hatched", "plain"].map(|name| svg(&out.path().join(name), "map")).into();
+    let room = Room::new();
+    run(&room, &format!("{} --friction 0.1", map()), "hatched");
+    run(&room, &map(), "plain");
+    let [hatched, plain] = ["hatched/map", "plain/map"].map(|name| svg(&room, name));
     assert!(words(&hatched).contains("friction &gt; 0.1: the model does not hold"));
     assert!(!words(&plain).contains("does not hold"));
     // The swatch's lines are cut at its edge; so are rings at the map's.
@@ -146,19 +131,17 @@ fn a_legend_explains_hatches_where_there_are_some() {
 /// A title from a file may be of any length, and hold what XML reserves.
 #[test]
 fn a_records_name_stands_on_its_maps() {
-    let out = TempDir::new().unwrap();
+    let room = Room::new();
     let title = format!("<b>A&B</b> \"STATION\", {} 90", "VERY LONG NAME ".repeat(20));
     let at2 = format!(
         "PEER NGA STRONG MOTION DATABASE RECORD\n{title}\nACCELERATION TIME SERIES IN UNITS OF G\n\
          NPTS= 8, DT= .0100 SEC\n 0 .1 .5 -.5 .2 .1 -.1 0\n"
     );
-    let file = out.path().join("a.at2");
-    fs::write(&file, at2).unwrap();
-    let record =
-        ["seismic", "--object", "1", "--t-h", "0.5:4:3", "--t-v", "0.1:2:3", "--horizontal"];
-    topple(&[&record[..], &[file.to_str().unwrap()]].concat(), out.path());
-    for name in ["map", "displacement_u", "contact"] {
-        let svg = svg(out.path(), name);
+    room.write("a.at2", at2);
+    let cell = "seismic --object 1 --t-h 0.5:4:3 --t-v 0.1:2:3";
+    run(&room, &format!("{cell} --horizontal ./a.at2"), "out");
+    for name in ["out/map", "out/displacement_u", "out/contact"] {
+        let svg = svg(&room, name);
         let said = words(&svg);
         assert!(said.contains("Record: &lt;b&gt;A&amp;B&lt;/b&gt; &quot;STATION&quot;"), "{said}");
         assert!(said.contains(" … ") && said.contains("no vertical motion"), "{said}");
@@ -169,30 +152,33 @@ fn a_records_name_stands_on_its_maps() {
 /// A layout program that reads the PNG places it in the size of the SVG.
 #[test]
 fn a_png_says_how_large_it_is_in_print() {
-    let out = TempDir::new().unwrap();
-    topple(&MAP, out.path());
-    let file = std::io::BufReader::new(fs::File::open(out.path().join("map.png")).unwrap());
-    let reader = png::Decoder::new(file).read_info().unwrap();
-    let size = reader.info().pixel_dims.unwrap();
+    let room = Room::new();
+    run(&room, &map(), "out");
+    let (info, _) = pixels(&room.bytes("out/map.png"));
+    let size = info.pixel_dims.unwrap();
     assert_eq!(size.unit, png::Unit::Meter);
     assert_eq!((size.xppu, size.yppu), (11_811, 11_811), "300 pixels an inch");
-    let wide = f64::from(reader.info().width) / f64::from(size.xppu) * 1000.0;
-    let svg = svg(out.path(), "map");
+    let wide = f64::from(info.width) / f64::from(size.xppu) * 1000.0;
+    let svg = svg(&room, "out/map");
     let width = svg.split("width=\"").nth(1).unwrap().split("mm").next().unwrap();
     let stated: f64 = width.parse().unwrap();
     // Half a pixel at each side.
     assert!((wide - stated).abs() < 0.1, "{wide} mm, {stated} mm");
 }
 
-/// Width of a PNG, pixels.
-fn pixels(file: &Path) -> u32 {
-    let file = std::io::BufReader::new(fs::File::open(file).unwrap());
-    png::Decoder::new(file).read_info().unwrap().info().width
+/// What a PNG says of itself, and its pixels.
+fn pixels(png: &[u8]) -> (png::Info<'static>, Vec<u8>) {
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(png.to_vec()));
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut pixels).unwrap();
+    (reader.info().clone(), pixels)
 }
 
 /// Holds a picture to a width in mm, to letters of a size in points, and to a title.
-fn is_printed(out: &Path, name: &str, (width, size): (f64, f64), title: &str) {
-    let svg = svg(out, name);
+fn is_printed(room: &Room, name: &str, (width, size): (f64, f64), title: &str) {
+    let svg = svg(room, name);
     assert!(
         svg.contains(&format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\""))
     );
@@ -205,7 +191,7 @@ fn is_printed(out: &Path, name: &str, (width, size): (f64, f64), title: &str) {
     assert!(asked > 5, "{name}: {sizes:?}");
     assert!(sizes.iter().all(|own| *own < 8.0 / 7.0 * size + 0.01), "{name}: {sizes:?}");
     // Half a pixel at the end.
-    let wide = f64::from(pixels(&out.join(format!("{name}.png"))));
+    let wide = f64::from(pixels(&room.bytes(&format!("{name}.png"))).0.width);
     assert!((wide - width / 25.4 * 300.0).abs() <= 0.51, "{name}: {wide} pixels");
     let said = words(&svg);
     assert!(said.starts_with(title), "{name}: {said}");
@@ -213,40 +199,20 @@ fn is_printed(out: &Path, name: &str, (width, size): (f64, f64), title: &str) {
     assert!(numbers(&svg, "x").iter().all(|x| *x <= view), "{name}");
 }
 
-/// A run: the folder of its results, its arguments, and its pictures, each with what it shows.
-type Run<'a> = (&'a str, Vec<&'a str>, &'a [(&'a str, &'a str)]);
-
 #[test]
 fn pictures_have_the_width_the_letters_and_the_title_asked_for() {
-    let (place, list) = suite();
-    let out = |name: &str| place.path().join(name);
-    let cell = ["--omega", "9", "--a-h", "8.4"];
-    let record = ["seismic", "--object", "1", "--t-h", "0.5:4:6", "--t-v", "0.02:2:6"];
-    let cpu = ["--backend", "cpu"];
-    let under = ["--suite", &list, "--verify", "none", "--backend", "cpu"];
-    let grid = ["--t-h", "0.8:3:3", "--t-v", "0.3:1:2"];
-    let one = ["--t-h", "1.5", "--t-v", "0.5"];
-    let limits = ["--limit-u", "0.5", "--limit-v", "0.5"];
-    let levels = ["--im", "pga", "--levels", "0.1:0.6:3"];
-    let vary = ["--vary", "a_v=uniform(0,1)", "--samples", "8"];
-    let devices = out("devices.csv");
-    fs::write(&devices, "device,t_h,t_v\nsoft,2,0.5\nstiff,1,0.5\n").unwrap();
-    let compare = ["compare", devices.to_str().unwrap(), "--object", "1", "--u-y", "0.01"];
-    let commands: [Run; 10] = [
-        ("map", MAP.to_vec(), &[("map", "A &lt;title&gt; B")]),
+    let room = Room::suite();
+    room.write("devices.csv", "device,t_h,t_v\nsoft,2,0.5\nstiff,1,0.5\n");
+    let under = "--object 1 --eccentricity 0.2 --u-y 0.01 --suite ./list.csv --verify none";
+    let under = format!("{under} --backend cpu");
+    let (grid, one) = ("--t-h 0.8:3:3 --t-v 0.3:1:2", "--t-h 1.5 --t-v 0.5");
+    let levels = "--im pga --levels 0.1:0.6:3";
+    for (line, pictures) in [
+        (map(), &[("map", "A &lt;title&gt; B")][..]),
+        (format!("pulse {CELL} {LINE}"), &[("map", "A &lt;title&gt; B")]),
+        (format!("history {CELL} {HISTORY}"), &[("history", "A &lt;title&gt; B")]),
         (
-            "line",
-            [&MAP[..9], &["--omega", "5", "--a-h", "0.1:15:9"], &cpu].concat(),
-            &[("map", "A &lt;title&gt; B")],
-        ),
-        (
-            "history",
-            [&["history"], &MAP[1..9], &cell].concat(),
-            &[("history", "A &lt;title&gt; B")],
-        ),
-        (
-            "record",
-            [&record[..], &cpu].concat(),
+            RECORD.into(),
             &[
                 ("map", "A &lt;title&gt;: rocking index Record"),
                 ("stroke_v", "A &lt;title&gt;: "),
@@ -254,148 +220,119 @@ fn pictures_have_the_width_the_letters_and_the_title_asked_for() {
             ],
         ),
         (
-            "vary",
-            [&MAP[..9], &["--omega", "0.2:15:4", "--a-h", "0.1:15:4"], &cpu, &vary].concat(),
+            format!("pulse {CELL} {SMALL} --vary a_v=uniform(0,1) --samples 8"),
             &[("probability", "A &lt;title&gt;: probability of overturning")],
         ),
-        ("suite", vec!["suite", &list], &[("suite", "A &lt;title&gt; Pseudo")]),
+        ("suite ./list.csv".into(), &[("suite", "A &lt;title&gt; Pseudo")]),
         (
-            "envelope",
-            [&["envelope"], &BASE[..], &grid, &limits, &under].concat(),
+            format!("envelope {under} {grid} --limit-u 0.5 --limit-v 0.5"),
             &[("envelope", "A &lt;title&gt; B")],
         ),
+        (format!("fragility {under} {one} {levels}"), &[("fragility", "A &lt;title&gt; B")]),
         (
-            "fragility",
-            [&["fragility"], &BASE[..], &one, &levels, &under].concat(),
-            &[("fragility", "A &lt;title&gt; B")],
-        ),
-        (
-            "fragilities",
-            [&["fragility"], &BASE[..], &grid, &levels, &under].concat(),
+            format!("fragility {under} {grid} {levels}"),
             &[("fragility", "A &lt;title&gt;: overturning B")],
         ),
-        ("compare", [&compare[..], &under].concat(), &[("compare", "A &lt;title&gt; the block")]),
-    ];
-    for (folder, command, pictures) in commands {
+        (format!("compare ./devices.csv {under}"), &[("compare", "A &lt;title&gt; the block")]),
+    ] {
         for (width, size) in [(140.0, 9.0), (60.0, 7.0)] {
-            let [mm, pt] = [width, size].map(|number: f64| number.to_string());
-            let print = ["--title", "A <title>", "--width", &mm, "--font-size", &pt];
-            topple(&[&command[..], &print].concat(), &out(folder));
+            let print = format!("--title 'A <title>' --width {width} --font-size {size}");
+            run(&room, &format!("{line} {print}"), "out");
             for (name, title) in pictures {
-                is_printed(&out(folder), name, (width, size), title);
+                is_printed(&room, &format!("out/{name}"), (width, size), title);
             }
         }
+        room.remove("out");
     }
 }
 
 /// What was asked of the pictures is in run.json, and asked again by a repetition, which can ask for something else.
 #[test]
 fn a_repeated_run_prints_its_pictures_alike() {
-    let out = TempDir::new().unwrap();
-    let at = |name: &str| out.path().join(name);
-    let print = ["--title", "Its title", "--width", "100", "--font-size", "8"];
-    let cell = ["--omega", "9", "--a-h", "8.4"];
-    let map =
-        [&MAP[..9], &["--omega", "0.2:15:4", "--a-h", "0.1:15:4", "--backend", "cpu"]].concat();
-    let history = [&["history"], &MAP[1..9], &cell].concat();
-    for (name, command) in [("map", map), ("history", history)] {
-        topple(&[&command[..], &print].concat(), &at(name));
-        let first = fs::read(at(name).join(format!("{name}.png"))).unwrap();
-        let again = at(&format!("{name} again"));
-        topple(&["run", at(name).to_str().unwrap()], &again);
-        assert!(fs::read(again.join(format!("{name}.png"))).unwrap() == first, "{name}");
-        topple(&["run", at(name).to_str().unwrap(), "--width", "120"], &again);
-        is_printed(&again, name, (120.0, 8.0), "Its title B");
+    let room = Room::new();
+    for (name, line) in
+        [("map", format!("pulse {CELL} {SMALL}")), ("history", format!("history {CELL} {HISTORY}"))]
+    {
+        run(&room, &format!("{line} --title 'Its title' --width 100 --font-size 8"), name);
+        let again = format!("{name}-again");
+        run(&room, &format!("run ./{name}"), &again);
+        room.same(name, &again, &[&format!("{name}.png")]);
+        run(&room, &format!("run ./{name} --width 120"), &again);
+        is_printed(&room, &format!("{again}/{name}"), (120.0, 8.0), "Its title B");
     }
 }
 
 #[test]
 fn what_cannot_be_printed_is_refused_before_anything_is_made() {
-    let (place, list) = suite();
-    let out = place.path().join("out");
-    let to = ["--out", out.to_str().unwrap()];
-    let bad: [(&[&str], &str); 9] = [
-        (&["--width", "39.9"], "--width: a picture is 40 to 600 mm wide, not 39.9"),
-        (&["--width", "601"], "--width: a picture is 40 to 600 mm wide, not 601"),
-        (&["--width", "nan"], "--width: "),
-        (&["--font-size", "3.9"], "--font-size: letters are of 4 to 40 pt, not 3.9"),
-        (&["--font-size", "41"], "--font-size: letters are of 4 to 40 pt, not 41"),
-        (&["--font-size", "-1"], "--font-size: "),
+    let room = Room::suite();
+    for (print, problem) in [
+        ("--width 39.9", "--width: a picture is 40 to 600 mm wide, not 39.9"),
+        ("--width 601", "--width: a picture is 40 to 600 mm wide, not 601"),
+        ("--width nan", "--width: "),
+        ("--font-size 3.9", "--font-size: letters are of 4 to 40 pt, not 3.9"),
+        ("--font-size 41", "--font-size: letters are of 4 to 40 pt, not 41"),
+        ("--font-size -1", "--font-size: "),
         (
-            &["--font-size", "20"],
+            "--font-size 20",
             "--font-size: letters of 20 pt need a picture that is 163 mm wide, not 90",
         ),
-        (&["--width", "50"], "--width: letters of 7 pt need a picture that is 57 mm wide, not 50"),
-        (&["--title", " "], "--title"),
-    ];
-    for (print, problem) in bad {
-        let one = ["--t-h", "1.5", "--t-v", "0.5"];
-        let envelope = [&["envelope"], &BASE[..], &one, &["--suite", &list]].concat();
-        let history = [&["history"], &MAP[1..9], &["--omega", "5", "--a-h", "3"]].concat();
-        for command in [&MAP[..], &["suite", &list], &envelope, &history] {
-            let said = refused(&[command, print, &to].concat());
-            assert!(said.contains(problem), "{said}");
-            assert!(!out.exists(), "{print:?}");
+        ("--width 50", "--width: letters of 7 pt need a picture that is 57 mm wide, not 50"),
+        ("--title ' '", "--title"),
+    ] {
+        for line in [
+            &map(),
+            "suite ./list.csv",
+            "envelope --object 1 --u-y 0.01 --t-h 1.5 --t-v 0.5 --suite ./list.csv",
+            &format!("history {CELL} --omega 5 --a-h 3"),
+        ] {
+            room.refuses(&format!("{line} {print} --out ./out"), &[problem]);
+            assert!(!room.has("out"), "{print}");
         }
     }
-    let said = refused(&[&MAP[..], &["--tile", "1/2", "--width", "90"], &to].concat());
-    assert!(said.contains("--tile: a shard has no pictures"), "{said}");
+    let shard = format!("{} --tile 1/2 --width 90 --out ./out", map());
+    room.refuses(&shard, &["--tile: a shard has no pictures"]);
 }
 
 /// In greys nothing has a hue, in letters, lines and images; a repetition keeps them.
 #[test]
 fn a_grey_print_has_no_colours() {
-    let out = TempDir::new().unwrap();
-    let at = |name: &str| out.path().join(name);
-    let hues = |name: &str| {
-        let file = std::io::BufReader::new(fs::File::open(at(name).join("map.png")).unwrap());
-        let mut decoder = png::Decoder::new(file);
-        decoder.set_transformations(png::Transformations::EXPAND);
-        let mut reader = decoder.read_info().unwrap();
-        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-        let info = reader.next_frame(&mut pixels).unwrap();
-        let samples = info.color_type.samples();
+    let room = Room::new();
+    let hues = |out: &str| {
+        let (info, pixels) = pixels(&room.bytes(&format!("{out}/map.png")));
+        let samples = pixels.len() / (info.width * info.height) as usize;
         assert!(samples >= 3, "{samples}");
         pixels.chunks(samples).filter(|pixel| pixel[0] != pixel[1] || pixel[1] != pixel[2]).count()
     };
-    let record =
-        ["seismic", "--object", "1", "--t-h", "0.5:4:6", "--t-v", "0.02:2:6", "--backend", "cpu"];
-    for (name, command) in [("pulse", &MAP[..]), ("record", &record)] {
-        topple(command, &at(name));
+    for (name, line) in [("pulse", &*map()), ("record", RECORD)] {
+        run(&room, line, name);
         assert!(hues(name) > 1000, "{name}");
-        topple(&[command, &["--palette", "grey"]].concat(), &at(name));
+        run(&room, &format!("{line} --palette grey"), name);
         assert_eq!(hues(name), 0, "{name}");
-        topple(&["run", at(name).to_str().unwrap()], &at("again"));
+        run(&room, &format!("run ./{name}"), "again");
         assert_eq!(hues("again"), 0, "{name}");
     }
     // Dark red and black, which are one in a grey print of the colours, differ: one of them has lines.
-    let said = words(&svg(&at("pulse"), "map"));
+    let said = words(&svg(&room, "pulse/map"));
     assert!(said.contains("0 impacts, right corner"), "{said}");
-    let said =
-        refused(&[&MAP[..], &["--palette", "red", "--out", at("none").to_str().unwrap()]].concat());
-    assert!(said.contains("--palette"), "{said}");
+    room.refuses(&format!("{} --palette red --out ./none", map()), &["--palette"]);
 }
 
 /// Letters as outlines: the picture is the same, in the same size, and needs no font; a repetition keeps them.
 #[test]
 fn letters_become_outlines_where_they_are_asked_for() {
-    let out = TempDir::new().unwrap();
-    let at = |name: &str| out.path().join(name);
-    let record =
-        ["seismic", "--object", "1", "--t-h", "0.5:4:6", "--t-v", "0.02:2:6", "--backend", "cpu"];
-    let cell = [&["history"], &MAP[1..9], &["--omega", "9", "--a-h", "8.4"]].concat();
-    let pictures =
-        [("pulse", &MAP[..], "map"), ("record", &record, "contact"), ("history", &cell, "history")];
-    for (folder, command, name) in pictures {
-        let plain = [command, &["--font-size", "8"]].concat();
-        topple(&plain, &at(folder));
-        let (text, png) =
-            (svg(&at(folder), name), fs::read(at(folder).join(format!("{name}.png"))));
-        assert!(text.matches("<text").count() > 8, "{folder}");
-        topple(&[&plain[..], &["--outline-text"]].concat(), &at(folder));
-        let outlined = svg(&at(folder), name);
-        assert!(!outlined.contains("<text") && !outlined.contains("font-family"), "{folder}");
-        assert!(outlined.matches("<path").count() > text.matches("<path").count(), "{folder}");
+    let room = Room::new();
+    for (line, name) in [
+        (map(), "map"),
+        (RECORD.into(), "contact"),
+        (format!("history {CELL} {HISTORY}"), "history"),
+    ] {
+        let line = format!("{line} --font-size 8");
+        run(&room, &line, "plain");
+        run(&room, &format!("{line} --outline-text"), "out");
+        let [text, outlined] = ["plain", "out"].map(|out| svg(&room, &format!("{out}/{name}")));
+        assert!(text.matches("<text").count() > 8, "{name}");
+        assert!(!outlined.contains("<text") && !outlined.contains("font-family"), "{name}");
+        assert!(outlined.matches("<path").count() > text.matches("<path").count(), "{name}");
         let size = |svg: &str| {
             ["width", "height"].map(|side| {
                 let marker = format!(" {side}=\"");
@@ -404,32 +341,27 @@ fn letters_become_outlines_where_they_are_asked_for() {
             })
         };
         // A length of the one is written to hundredths of a millimetre.
-        let apart = size(&text).into_iter().zip(size(&outlined)).map(|(a, b)| (a - b).abs());
-        assert!(
-            apart.fold(0.0, f64::max) < 0.02,
-            "{folder}: {:?} {:?}",
-            size(&text),
-            size(&outlined)
-        );
-        let again = fs::read(at(folder).join(format!("{name}.png"))).unwrap();
-        let apart = differing(&png.unwrap(), &again);
-        assert!(apart < 0.002, "{folder}: {apart}");
-        let again = at(&format!("{folder} again"));
-        topple(&["run", at(folder).to_str().unwrap()], &again);
-        assert!(svg(&again, name) == outlined, "{folder}");
+        let (text, outlined) = (size(&text), size(&outlined));
+        let apart = text.iter().zip(outlined).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(apart < 0.02, "{name}: {text:?} {outlined:?}");
+        let [one, other] = ["plain", "out"].map(|out| room.bytes(&format!("{out}/{name}.png")));
+        let apart = differing(&one, &other);
+        assert!(apart < 0.002, "{name}: {apart}");
+        run(&room, "run ./out", "again");
+        room.same("out", "again", &[&format!("{name}.svg")]);
+        ["plain", "out", "again"].iter().for_each(|out| room.remove(out));
     }
 }
 
 /// Numbers on the lines of a map do not lie in heaps: each has room around it, one of the same value more.
 #[test]
 fn numbers_on_lines_are_apart() {
-    let out = TempDir::new().unwrap();
-    let record = ["seismic", "--object", "1", "--eccentricity", "0.2", "--backend", "cpu"];
-    let grid = ["--t-h", "0.5:4:40", "--t-v", "0.02:2:40", "--verify", "none"];
-    topple(&[&record[..], &grid].concat(), out.path());
+    let room = Room::new();
+    let grid = "--eccentricity 0.2 --t-h 0.5:4:40 --t-v 0.02:2:40 --verify none --backend cpu";
+    run(&room, &format!("seismic --object 1 {grid}"), "out");
     let mut compared = 0;
     for name in ["displacement_u", "displacement_v", "stroke_v", "contact"] {
-        let svg = svg(out.path(), name);
+        let svg = svg(&room, &format!("out/{name}"));
         // White behind a number, and the number.
         let lines: Vec<&str> = svg.lines().collect();
         let written: Vec<([f64; 4], &str)> = lines
@@ -458,43 +390,27 @@ fn numbers_on_lines_are_apart() {
 /// A map of one cell has no axes: its picture says what becomes of the block, and has no field beside it.
 #[test]
 fn one_cell_is_told_in_words() {
-    let out = TempDir::new().unwrap();
-    let at = |name: &str| out.path().join(name);
-    let record = ["seismic", "--object", "1", "--t-h", "2", "--t-v", "0.5", "--backend", "cpu"];
-    topple(&record, &at("record"));
-    topple(&[&MAP[..9], &["--omega", "5", "--a-h", "1", "--backend", "cpu"]].concat(), &at("map"));
-    let value = |folder: &str, column: &str| -> f64 {
-        let table = fs::read_to_string(at(folder).join("map.csv")).unwrap();
-        let place = table.lines().next().unwrap().split(',').position(|own| own == column);
-        table.lines().nth(1).unwrap().split(',').nth(place.unwrap()).unwrap().parse().unwrap()
-    };
-    for folder in ["record", "map"] {
-        let svg = svg(&at(folder), "map");
+    let room = Room::new();
+    for (folder, line) in [
+        ("record", "seismic --object 1 --t-h 2 --t-v 0.5 --backend cpu".into()),
+        ("map", format!("pulse {CELL} --omega 5 --a-h 1 --backend cpu")),
+    ] {
+        run(&room, &line, folder);
+        let svg = svg(&room, &format!("{folder}/map"));
         is_printable(&svg, folder);
         let said = words(&svg);
-        let of = topple::scene::record::rounded(value(folder, "max_u"), 3);
-        assert!(said.contains("Outcome of one case") && said.contains("max |u| = "), "{said}");
-        assert!(said.contains(&format!("max |u| = {of}")), "{of}: {said}");
+        let max_u = number(&room.rows(&format!("{folder}/map.csv"))[0], "max_u");
+        let wanted = format!("max |u| = {}", topple::scene::record::rounded(max_u, 3));
+        assert!(said.contains("Outcome of one case") && said.contains(&wanted), "{said}");
         assert!(!svg.contains("<image"), "{folder}");
-        let files: Vec<_> = fs::read_dir(at(folder)).unwrap().collect();
-        let pictures = files.into_iter().filter(|file| {
-            file.as_ref().unwrap().path().extension().is_some_and(|own| own == "svg")
-        });
+        let pictures = room.names(folder).into_iter().filter(|name| name.ends_with(".svg"));
         assert_eq!(pictures.count(), 1, "{folder}");
     }
 }
 
 /// The share of the pixels of two pictures that differ by more than the edge of a letter does.
 fn differing(one: &[u8], other: &[u8]) -> f64 {
-    let pixels = |bytes: &[u8]| {
-        let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes.to_vec()));
-        decoder.set_transformations(png::Transformations::EXPAND);
-        let mut reader = decoder.read_info().unwrap();
-        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-        reader.next_frame(&mut pixels).unwrap();
-        pixels
-    };
-    let (one, other) = (pixels(one), pixels(other));
+    let [one, other] = [one, other].map(|png| pixels(png).1);
     assert_eq!(one.len(), other.len());
     let apart = one.iter().zip(&other).filter(|(a, b)| a.abs_diff(**b) > 24).count();
     apart as f64 / one.len() as f64
@@ -503,34 +419,29 @@ fn differing(one: &[u8], other: &[u8]) -> f64 {
 /// The spectra of a map are the least values of its cells, and are repeated with it.
 #[test]
 fn spectra_are_the_least_values_that_lift_and_overturn() {
-    let out = TempDir::new().unwrap();
-    let at = |name: &str| out.path().join(name);
+    let room = Room::new();
     // Blocks under quick pulses do not overturn up to 8 m/s².
-    let grid = ["--omega", "0.2:15:30", "--a-h", "0.1:8:30", "--backend", "cpu", "--spectrum"];
-    topple(&[&MAP[..9], &grid].concat(), &at("map"));
-    let read = |name: &str| fs::read_to_string(at("map").join(name)).unwrap();
-    let cells = read("map.csv");
-    let spectrum = read("spectrum.csv");
-    let mut lines = spectrum.lines();
-    assert_eq!(lines.next().unwrap(), "omega,lifts,overturns");
+    let grid = "--omega 0.2:15:30 --a-h 0.1:8:30 --backend cpu --spectrum";
+    run(&room, &format!("pulse {CELL} {grid}"), "map");
+    let cells = room.rows("map/map.csv");
+    assert_eq!(room.heading("map/spectrum.csv"), "omega,lifts,overturns");
     let (mut compared, mut open) = (0, 0);
-    for line in lines {
-        let [omega, lifts, overturns] = line.split(',').collect::<Vec<_>>()[..] else { panic!() };
+    for line in room.rows("map/spectrum.csv") {
         let least = |does: fn(&str) -> bool| {
-            let of = cells.lines().skip(1).map(|row| row.split(',').collect::<Vec<_>>());
-            let of = of.filter(|row| row[0] == omega && does(row[2]));
-            of.map(|row| row[1].parse::<f64>().unwrap()).reduce(f64::min)
+            let of =
+                cells.iter().filter(|row| row["omega"] == line["omega"] && does(&row["outcome"]));
+            of.map(|row| number(row, "a_h")).reduce(f64::min)
         };
         let lifted = least(|outcome| outcome != "full_contact");
         let overturned = least(|outcome| outcome.starts_with("overturned"));
-        for (told, wanted) in [(lifts, lifted), (overturns, overturned)] {
-            assert_eq!(told.parse::<f64>().ok(), wanted, "{line}");
+        for (column, wanted) in [("lifts", lifted), ("overturns", overturned)] {
+            assert_eq!(line[column].parse::<f64>().ok(), wanted, "{line:?}");
             compared += usize::from(wanted.is_some());
             open += usize::from(wanted.is_none());
         }
     }
     assert!(compared > 30 && open > 10, "{compared} {open}");
-    let svg = svg(&at("map"), "spectrum");
+    let svg = svg(&room, "map/spectrum");
     is_printable(&svg, "spectrum");
     let said = words(&svg);
     for part in
@@ -540,61 +451,46 @@ fn spectra_are_the_least_values_that_lift_and_overturn() {
     }
     // Where both least values are the same, one line shows between the dashes of the other.
     assert!(svg.contains("stroke-dasharray=\"4 2.4\""), "{svg}");
-    topple(&["run", at("map").to_str().unwrap()], &at("again"));
-    assert_eq!(fs::read_to_string(at("again").join("spectrum.csv")).unwrap(), spectrum);
-    let line = [&MAP[..9], &["--omega", "5", "--a-h", "0.1:15:9", "--spectrum"]].concat();
-    let said = refused(&[&line[..], &["--out", at("line").to_str().unwrap()]].concat());
-    assert!(said.contains("--spectrum: spectra are of a map of two axes"), "{said}");
-    // The least of amplitudes of both signs is none.
-    let line = [&MAP[..9], &["--omega", "1:9:4", "--a-h=-5:5:5", "--spectrum"]].concat();
-    let said = refused(&[&line[..], &["--out", at("signed").to_str().unwrap()]].concat());
-    assert!(said.contains("how strong the shaking is"), "{said}");
+    run(&room, "run ./map", "again");
+    room.same("map", "again", &["spectrum.csv"]);
+    for (axes, said) in [
+        ("--omega 5 --a-h 0.1:15:9", "--spectrum: spectra are of a map of two axes"),
+        // The least of amplitudes of both signs is none.
+        ("--omega 1:9:4 --a-h=-5:5:5", "how strong the shaking is"),
+    ] {
+        room.refuses(&format!("pulse {CELL} {axes} --spectrum --out ./none"), &[said]);
+    }
 }
 
 /// Letters that no font has would be empty boxes: a line names them and the texts that have them, once for all pictures of a run, and
 /// run.json and a report as PDF say it, too. (U+10FFFD is for private use: no font has it.)
 #[test]
 fn letters_that_no_font_has_are_said() {
-    let place = TempDir::new().unwrap();
-    let (map, report) = (place.path().join("map"), place.path().join("report.pdf"));
-    let warned = |run: crate::common::command::Assert| {
-        let said = String::from_utf8(run.success().get_output().stderr.clone()).unwrap();
+    let room = Room::suite();
+    room.write("devices.csv", "device,isolation\nfirst \u{10fffd},none\nsecond,none\n");
+    let warned = |line: &str| {
+        let said = room.run(line).err;
         said.lines().filter(|line| line.contains("U+10FFFD")).map(String::from).collect::<Vec<_>>()
     };
-    let mut command = Command::topple();
-    let title = ["--title", "Statue \u{10fffd}", "--spectrum", "--verify", "none", "--out"];
-    let said = warned(command.args(MAP).args(title).arg(&map).assert());
+    let title = "--title 'Statue \u{10fffd}' --spectrum --verify none --out ./map";
+    let said = warned(&format!("{} {title}", map()));
     assert!(said.len() == 1 && said[0].contains("of \"Statue \u{10fffd}\""), "{said:?}");
-    let run: serde_json::Value =
-        serde_json::from_slice(&fs::read(map.join("run.json")).unwrap()).unwrap();
+    let run = room.json("map");
     assert!(run["warnings"][0].as_str().unwrap().contains("U+10FFFD"), "{run}");
-    let mut command = Command::topple();
-    let said = warned(command.arg("report").arg(&map).arg("--out").arg(&report).assert());
-    assert_eq!(said.len(), 1, "{said:?}");
-    let mut command = Command::topple();
-    let page = place.path().join("report.html");
-    let said = warned(command.arg("report").arg(&map).arg("--out").arg(&page).assert());
-    assert!(said.is_empty(), "{said:?}");
-
-    let (folder, list) = suite();
-    let devices = folder.path().join("devices.csv");
-    fs::write(&devices, "device,isolation\nfirst \u{10fffd},none\nsecond,none\n").unwrap();
-    let mut command = Command::topple();
-    command.arg("compare").arg(&devices).args(["--object", "1", "--suite", &list]);
-    command.args(["--verify", "none", "--backend", "cpu", "--out"]).arg(folder.path().join("out"));
-    let said = warned(command.assert());
+    assert_eq!(warned("report ./map --out ./report.pdf").len(), 1);
+    assert_eq!(warned("report ./map --out ./report.html"), [""; 0]);
+    let suite = "--object 1 --suite ./list.csv --verify none --backend cpu --out ./out";
+    let said = warned(&format!("compare ./devices.csv {suite}"));
     assert!(said.len() == 1 && said[0].contains("of \"first \u{10fffd}\""), "{said:?}");
 }
 
 /// A title has an end, wherever it is given.
 #[test]
 fn a_title_without_an_end_is_refused() {
-    let place = TempDir::new().unwrap();
+    let room = Room::new();
     let title = "a".repeat(10_001);
-    let scene = place.path().join("scene.toml");
-    fs::write(&scene, format!("title = \"{title}\"\n")).unwrap();
-    let line = refused(&["run", scene.to_str().unwrap()]);
-    assert!(line.contains("title: has more than 10000 letters"), "{line}");
-    let line = refused(&["pulse", "--object", "1", "--t-h", "1", "--title", &title]);
-    assert!(line.contains("must have 10000 letters at most"), "{}", &line[line.len() - 300..]);
+    room.write("scene.toml", format!("title = \"{title}\"\n"));
+    room.refuses("run ./scene.toml", &["title: has more than 10000 letters"]);
+    let said = "must have 10000 letters at most";
+    room.refuses(&format!("pulse --object 1 --t-h 1 --title {title}"), &[said]);
 }

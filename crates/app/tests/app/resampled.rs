@@ -1,29 +1,28 @@
 //! What is drawn for the intervals of a fragility: which motions are one recording, and which one event.
 
 use std::fmt::Write as _;
-use std::fs;
 
 use topple_studies::Suite;
 use topple_studies::suites::Groups;
 use topple_studies::suites::Resample;
 
-use crate::fragility::{samples, suite};
+use crate::common::room::Room;
+use crate::common::suites::samples;
 
 /// The groups of a list of motions, by their events, stations and vertical components.
 fn groups(rows: &[(&str, &str, &str)], directions: usize, asked: Option<Resample>) -> Groups {
-    let (place, _) = suite();
+    let room = Room::suite();
     let mut list = "id,event,station,horizontal,vertical,dt,units\n".to_string();
     for (k, (event, station, vertical)) in rows.iter().enumerate() {
         // Each its own motion: one that is there twice is left out.
         let text = samples(2.0 + 0.05 * k as f64, 4.0)
             .iter()
             .fold(String::new(), |text, a| text + &format!("{a:.6}\n"));
-        fs::write(place.path().join(format!("m{k}.txt")), text).unwrap();
+        room.write(&format!("m{k}.txt"), text);
         writeln!(list, "m{k},{event},{station},m{k}.txt,{vertical},0.02,m/s2").unwrap();
     }
-    let path = place.path().join("events.csv");
-    fs::write(&path, list).unwrap();
-    let suite = Suite::read(&path, false).unwrap();
+    room.write("events.csv", list);
+    let suite = Suite::read(&room.at("events.csv"), false).unwrap();
     assert_eq!(suite.motions().count(), rows.len());
     Groups::of(&suite, directions, asked).unwrap()
 }

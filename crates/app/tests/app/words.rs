@@ -1,73 +1,76 @@
 //! What the command says: messages that name what is wrong and what to do, help, completions, the manual, colours.
 
-use std::fs;
+use crate::common::golden::is_printed;
+use crate::common::room::Room;
 
-use crate::common::command::Command;
-use tempfile::TempDir;
-
-use crate::common::refused;
-
-fn topple(arguments: &[&str]) -> Command {
-    let mut command = Command::topple();
-    command.args(arguments);
-    command
+/// What each command prints of a small run, warnings with it, is what stands in tests/printed.
+#[cfg(unix)] // as paths are written there
+#[test]
+fn what_commands_print() {
+    let room = Room::suite();
+    room.write(
+        "devices.csv",
+        "device,t_h,t_v,isolation,u_y\nsoft,2,0.5,,0.01\nflat,1,,horizontal,0.01\nfloor,,,none,\n",
+    );
+    room.write("site.csv", "PGA [m/s2],rate\n0.5,0.05\n4,0.0012\n30,1e-6\n");
+    let pulse = "pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75 --t-max 5 --omega 3:12:7 --a-h 1:12:9";
+    let base =
+        "--object 1 --eccentricity 0.2 --u-y 0.01 --t-h 0.8:3:3 --t-v 0.3:1:2 --suite ./list.csv";
+    let cell = "--object 1 --u-y 0.01 --t-h 1.5 --t-v 0.5 --suite ./list.csv";
+    let site = "--levels 1:16:8:log --hazard ./site.csv";
+    for (name, line) in [
+        ("pulse", format!("{pulse} --friction 0.15 -v")),
+        ("reduced", format!("{pulse} --full-model --psi 1 --verify none")),
+        ("refined", format!("{pulse} --refine 2 --verify none")),
+        ("vary", format!("{pulse} --vary psi=uniform(0.2,0.3) --samples 4 --verify none")),
+        ("seismic", "seismic --object 1 --t-h 0.5:4:6 --t-v 0.02:2:6".into()),
+        ("history", "history --object 1 --t-h 1.75 --t-v 0.75 --omega 9 --a-h 8.4".into()),
+        ("suite", "suite ./list.csv".into()),
+        ("envelope", format!("envelope {base} --limit-u 0.4")),
+        (
+            "fragility",
+            format!("fragility {cell} {site} --target 1e-4 --limit-u 0.4 --bootstrap 39"),
+        ),
+        (
+            "compare",
+            format!("compare ./devices.csv --object 1 --suite ./list.csv {site} --scales 0.5,2"),
+        ),
+    ] {
+        let backend = if matches!(name, "history" | "suite") { "" } else { "--backend cpu" };
+        let said = room.run(&format!("{line} {backend} --out ./{name}"));
+        is_printed(name, &(said.out + &said.err));
+    }
+    let said = room.run("report ./pulse ./envelope --out ./report.html");
+    is_printed("report", &said.out);
 }
-
-fn printed(arguments: &[&str]) -> String {
-    let run = topple(arguments).assert().success();
-    String::from_utf8(run.get_output().stdout.clone()).unwrap()
-}
-
-const BASE: [&str; 7] = ["pulse", "--object", "1", "--t-v", "1", "--omega", "5"];
 
 #[test]
 fn flags_are_named_where_flags_were_typed() {
-    let cases: [(&[&str], &str); 9] = [
+    let room = Room::new();
+    for (more, said) in [
         (
-            &["--a-h", "5"],
+            "--a-h 5",
             "--t-h: missing; give it in seconds, or the device by --k1, --k2 and --qd or by --radius and --mu, or lock its",
         ),
-        (
-            &["--t-h", "1", "--a-h", "5", "--bouc-wen-n", "1.5"],
-            "--bouc-wen-n: 1.5 must be a whole number",
-        ),
-        (
-            &["--t-h", "0,5", "--a-h", "5"],
-            "commas separate the values of a list, decimals have a point",
-        ),
-        (
-            &["--t-h", "1", "--a-h", "5", "--half-width", "1"],
-            "--half-width: --object already fixes this",
-        ),
-        (&["--t-h", "1", "--a-h", "500"], "; --force accepts it"),
-        (
-            &["--t-h", "1", "--a-h", "5", "--x", "t_v"],
-            "--x: --t-v is no axis: give it several values",
-        ),
-        (
-            &["--t-h", "1", "--a-h", "5", "--alpha-y", "1", "--u-y", "1"],
-            "--u-y: --alpha-y says it too",
-        ),
-        (&["--t-h", "1", "--a-h", "5", "--verify", "-1"], "must be a number of cells or none"),
-        (
-            &["--t-h", "1", "--a-h", "5", "--tile", "1/2", "--verify", "3"],
-            "'--tile <K/N>' cannot be used with '--verify",
-        ),
-    ];
-    for (more, said) in cases {
-        let line = refused(&[&BASE[..], more].concat());
-        assert!(line.contains(said), "{more:?}: {line}");
+        ("--t-h 1 --a-h 5 --bouc-wen-n 1.5", "--bouc-wen-n: 1.5 must be a whole number"),
+        ("--t-h 0,5 --a-h 5", "commas separate the values of a list, decimals have a point"),
+        ("--t-h 1 --a-h 5 --half-width 1", "--half-width: --object already fixes this"),
+        ("--t-h 1 --a-h 500", "; --force accepts it"),
+        ("--t-h 1 --a-h 5 --x t_v", "--x: --t-v is no axis: give it several values"),
+        ("--t-h 1 --a-h 5 --alpha-y 1 --u-y 1", "--u-y: --alpha-y says it too"),
+        ("--t-h 1 --a-h 5 --verify -1", "must be a number of cells or none"),
+        ("--t-h 1 --a-h 5 --tile 1/2 --verify 3", "'--tile <K/N>' cannot be used with '--verify"),
+    ] {
+        room.refuses(&format!("pulse --object 1 --t-v 1 --omega 5 {more}"), &[said]);
     }
-    let line = refused(&["history", "--object", "1", "--t-h", "1", "--t-v", "1"]);
     let said =
         "nothing shakes the base: give --omega and --a-h of a pulse, or a record's --horizontal";
-    assert!(line.contains(said), "{line}");
+    room.refuses("history --object 1 --t-h 1 --t-v 1", &[said]);
 }
 
 #[test]
 fn keys_and_places_are_named_in_files() {
-    let place = TempDir::new().unwrap();
-    let scene = place.path().join("scene.toml");
+    let room = Room::new();
     for (text, said) in [
         (
             "[block]\nobject = \"one\"\n",
@@ -93,121 +96,103 @@ fn keys_and_places_are_named_in_files() {
             "`force = true` under [run] accepts it",
         ),
     ] {
-        fs::write(&scene, text).unwrap();
-        let line = refused(&["run", &scene.display().to_string()]);
-        assert!(line.contains(said) && line.contains("scene.toml: "), "{text}: {line}");
+        room.write("scene.toml", text);
+        room.refuses("run ./scene.toml", &[said, "scene.toml: "]);
     }
 }
 
 #[test]
 fn records_say_what_they_are() {
-    let place = TempDir::new().unwrap();
-    let file = place.path().join("record.txt");
-    let path = file.display().to_string();
-    let out = place.path().join("out").display().to_string();
-    let seismic = ["seismic", "--object", "1", "--t-h", "1", "--t-v", "1", "--horizontal", &path];
-    let g = ["--dt", "0.01", "--units", "g"];
-    let cases: [(&str, &[&str], &str); 13] = [
-        ("1\n2\n", &["--horizontal-channel", "EW"], "leave --horizontal-channel ('EW') out"),
+    let room = Room::new();
+    let seismic = "seismic --object 1 --t-h 1 --t-v 1 --horizontal ./record.txt";
+    for (text, more, said) in [
+        ("1\n2\n", "--horizontal-channel EW", "leave --horizontal-channel ('EW') out"),
         (
             "time (ticks), acc (g)\n0 1\n9 2\n",
-            &[],
+            "",
             "'ticks' are not read; write them in s, or give --dt",
         ),
-        ("1\n2\n", &g[..2], "does not tell its units; give --units (g, m/s2 or cm/s2)"),
-        ("1\n2\n", &g[2..], "does not tell its time step; give --dt"),
-        ("3.5\n-1\n", &g, "if the numbers are in m/s2, it is 0.36 g; --force accepts it"),
-        ("0,1 0,5\n0,2 0,4\n", &g[2..], "if its commas are decimal ones, write points"),
-        ("a\nb\n1 x\n", &g, "this is not a number"),
-        ("\0\u{1}\u{2}", &g, "a binary file, not a record"),
-        ("time (s), acc (ft/s^2)\n0 1\n0.01 2\n", &g[2..], "units of 'ft/s^2' are not read"),
-        ("time (s), velocity (cm/s)\n0 1\n0.01 2\n", &[], "this is no acceleration by its heading"),
-        ("i,acc (g)\n0,0.1\n1,0.2\n2,0.1\n", &[], "a column that counts samples is no time"),
+        ("1\n2\n", "--dt 0.01", "does not tell its units; give --units (g, m/s2 or cm/s2)"),
+        ("1\n2\n", "--units g", "does not tell its time step; give --dt"),
+        (
+            "3.5\n-1\n",
+            "--dt 0.01 --units g",
+            "if the numbers are in m/s2, it is 0.36 g; --force accepts it",
+        ),
+        ("0,1 0,5\n0,2 0,4\n", "--units g", "if its commas are decimal ones, write points"),
+        ("a\nb\n1 x\n", "--dt 0.01 --units g", "this is not a number"),
+        ("\0\u{1}\u{2}", "--dt 0.01 --units g", "a binary file, not a record"),
+        ("time (s), acc (ft/s^2)\n0 1\n0.01 2\n", "--units g", "units of 'ft/s^2' are not read"),
+        ("time (s), velocity (cm/s)\n0 1\n0.01 2\n", "", "this is no acceleration by its heading"),
+        ("i,acc (g)\n0,0.1\n1,0.2\n2,0.1\n", "", "a column that counts samples is no time"),
         (
             "PEER\nA\nACCELERATION IN UNITS OF CM/S/S\nNPTS= 2, DT= .01 SEC\n100. 200.\n",
-            &g[2..],
+            "--units g",
             "the file's units are cm/s2",
         ),
         (
             "PEER\nA\nACCELERATION IN UNITS OF FURLONGS\nNPTS= 2, DT= .01 SEC\n1. 2.\n",
-            &[],
+            "",
             "units of 'FURLONGS' are not read",
         ),
-    ];
-    for (text, more, said) in cases {
-        fs::write(&file, text).unwrap();
-        let line = refused(&[&seismic[..], more].concat());
-        assert!(line.contains(said), "{text:?}: {line}");
+    ] {
+        room.write("record.txt", text);
+        room.refuses(&format!("{seismic} {more}"), &[said]);
     }
     // A heading of two lines, quotes and long minus signs; more samples than NPTS.
-    let dry = ["--dry-run"];
-    fs::write(&file, "station X\ntime (s),acc (g)\n\"0.00\",\"0.1\"\n\"0.01\",\"\u{2212}0.3\"\n")
-        .unwrap();
-    topple(&[&seismic[..], &dry].concat()).assert().success();
+    let quoted = "station X\ntime (s),acc (g)\n\"0.00\",\"0.1\"\n\"0.01\",\"\u{2212}0.3\"\n";
+    room.write("record.txt", quoted);
+    room.run(&format!("{seismic} --dry-run"));
     let at2 = "PEER\nA, B, C\nACCELERATION IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n.1 .2 .1\n.3 .3\n";
-    fs::write(&file, at2).unwrap();
-    let said = printed(&[&seismic[..], &["--out", &out, "--verify", "none"]].concat());
-    assert!(
-        said.contains("horizontal: 2 samples after the 3 that its header states are left out"),
-        "{said}"
-    );
+    room.write("record.txt", at2);
+    room.run(&format!("{seismic} --out ./out --verify none"))
+        .has("horizontal: 2 samples after the 3 that its header states are left out");
 }
 
 /// Of a pair, what is given is meant for the file that does not tell it.
 #[test]
 fn units_are_for_the_file_that_tells_none() {
-    let place = TempDir::new().unwrap();
-    let write = |name: &str, text: &str| {
-        fs::write(place.path().join(name), text).unwrap();
-        place.path().join(name).display().to_string()
-    };
+    let room = Room::new();
     let at2 = "PEER\nA, B, C\nACCELERATION IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n.1 .2 .1\n";
-    let (h, v) = (write("h.at2", at2), write("v.txt", "100\n-90\n10\n"));
-    let seismic =
-        ["seismic", "--object", "1", "--t-h", "1", "--t-v", "1", "--dry-run", "--units", "cm/s2"];
-    let pair = ["--horizontal", &h, "--vertical", &v, "--dt", "0.02"];
-    topple(&[&seismic[..], &pair].concat()).assert().success();
-    let turned = ["--horizontal", &v, "--vertical", &h, "--dt", "0.02"];
-    topple(&[&seismic[..], &turned].concat()).assert().success();
+    room.write("h.at2", at2);
+    room.write("v.txt", "100\n-90\n10\n");
+    let seismic = "seismic --object 1 --t-h 1 --t-v 1 --dry-run --units cm/s2";
+    room.run(&format!("{seismic} --horizontal ./h.at2 --vertical ./v.txt --dt 0.02"));
+    room.run(&format!("{seismic} --horizontal ./v.txt --vertical ./h.at2 --dt 0.02"));
     // Where both tell, it is refused.
-    let line = refused(&[&seismic[..], &["--horizontal", &h, "--vertical", &h]].concat());
-    assert!(line.contains("the file's units are g, --units says cm/s2"), "{line}");
+    let line = format!("{seismic} --horizontal ./h.at2 --vertical ./h.at2");
+    room.refuses(&line, &["the file's units are g, --units says cm/s2"]);
 }
 
 #[test]
 fn a_locked_direction_is_no_axis() {
-    let out = TempDir::new().unwrap();
-    let path = out.path().display().to_string();
+    let room = Room::new();
     for (base, axes) in [
-        (&["--isolation", "horizontal", "--t-h", "1:2:3"][..], "t_h,outcome"),
-        (&["--isolation", "vertical", "--t-v", "1:2:3"], "t_v,outcome"),
-        (&["--isolation", "none"], "t_max,outcome"),
-        (&["--t-h", "1:2:3", "--t-v", "1"], "t_h,t_v,outcome"),
+        ("--isolation horizontal --t-h 1:2:3", "t_h,outcome"),
+        ("--isolation vertical --t-v 1:2:3", "t_v,outcome"),
+        ("--isolation none", "t_max,outcome"),
+        ("--t-h 1:2:3 --t-v 1", "t_h,t_v,outcome"),
     ] {
-        let more = ["seismic", "--object", "1", "--verify", "none", "--out", &path];
-        topple(&[&more[..], base].concat()).assert().success();
-        let table = fs::read_to_string(out.path().join("map.csv")).unwrap();
-        assert!(table.starts_with(axes), "{base:?}: {}", table.lines().next().unwrap());
+        room.run(&format!("seismic --object 1 --verify none --out ./out {base}"));
+        let heading = room.heading("out/map.csv");
+        assert!(heading.starts_with(axes), "{base}: {heading}");
     }
 }
 
 /// The reference does not verify itself.
 #[test]
 fn a_map_of_the_reference_is_not_verified() {
-    let out = TempDir::new().unwrap();
-    let path = out.path().display().to_string();
-    let more =
-        ["--t-h", "1", "--a-h", "1:9:3", "--t-max", "4", "--backend", "reference", "--out", &path];
-    let said = printed(&[&BASE[..], &more].concat());
-    assert!(said.contains("it computed the map: there is nothing to verify"), "{said}");
-    let run: serde_json::Value =
-        serde_json::from_slice(&fs::read(out.path().join("run.json")).unwrap()).unwrap();
-    assert!(run["verification"].is_null(), "{run}");
+    let room = Room::new();
+    let map = "pulse --object 1 --t-h 1 --t-v 1 --omega 5 --a-h 1:9:3 --t-max 4";
+    room.run(&format!("{map} --backend reference --out ./out"))
+        .has("it computed the map: there is nothing to verify");
+    assert!(room.json("out")["verification"].is_null());
 }
 
 #[test]
 fn help_has_ranges_defaults_and_examples() {
-    let help = printed(&["pulse", "--help"]);
+    let room = Room::new();
+    let help = room.run("pulse --help");
     for said in [
         "start:stop:count",
         "[default: f32]",
@@ -217,58 +202,56 @@ fn help_has_ranges_defaults_and_examples() {
         "[range: -100 to 100]",
         "[range: above -1, below 1]",
         "[range: above 0, up to 30]",
-        "Examples:",
     ] {
-        assert!(help.contains(said), "{said}: {help}");
+        help.has(said);
     }
-    for command in ["seismic", "history", "run", "merge", "figures", "chart", "bench"] {
-        assert!(printed(&[command, "--help"]).contains("Examples:"), "{command}");
+    for command in ["pulse", "seismic", "history", "run", "merge", "figures", "chart", "bench"] {
+        room.run(&format!("{command} --help")).has("Examples:");
     }
 }
 
 #[test]
 fn shells_complete_and_a_manual_is_printed() {
+    let room = Room::new();
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
-        let said = printed(&["completions", shell]);
-        assert!(said.contains("half-width") && said.contains("seismic"), "{shell}");
+        room.run(&format!("completions {shell}")).has("half-width").has("seismic");
     }
-    let manual = printed(&["man"]);
-    assert!(manual.contains(".TH topple 1") && manual.contains("seismic"), "{manual}");
-    let manual = printed(&["man", "seismic"]);
-    assert!(manual.contains("topple\\-seismic") && manual.contains("horizontal"), "{manual}");
-    assert!(refused(&["man", "mop"]).contains("mop is no command; there are pulse, seismic"));
+    room.run("man").has(".TH topple 1").has("seismic");
+    room.run("man seismic").has("topple\\-seismic").has("horizontal");
+    room.refuses("man mop", &["mop is no command; there are pulse, seismic"]);
 }
 
 /// The licence of the font asks to go with every copy of it.
 #[test]
 fn licences_are_shipped() {
-    let said = printed(&["licences"]);
-    for part in ["MIT License", "UBUNTU FONT LICENCE Version 1.0", "Copyright 2011 Canonical Ltd."]
-    {
-        assert!(said.contains(part), "{part}");
-    }
+    Room::new()
+        .run("licences")
+        .has("MIT License")
+        .has("UBUNTU FONT LICENCE Version 1.0")
+        .has("Copyright 2011 Canonical Ltd.");
 }
 
 /// What cannot be printed is a failure; a reader that is gone is none.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_no_success() {
-    use std::process::{Command, Stdio};
-    for arguments in [&["scene"][..], &["licences"], &["man"], &["completions", "bash"]] {
-        let full = fs::File::options().write(true).open("/dev/full").unwrap();
-        let program = crate::common::command::program();
-        let run = Command::new(program).args(arguments).stdout(Stdio::from(full)).output().unwrap();
-        assert_eq!(run.status.code(), Some(1), "{arguments:?}");
-        assert!(String::from_utf8_lossy(&run.stderr).contains("No space left"), "{arguments:?}");
+    for line in ["scene", "licences", "man", "completions bash"] {
+        let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
+        let mut run = std::process::Command::new(crate::common::command::program());
+        let run = run.args(line.split(' ')).stdout(full).output().unwrap();
+        assert_eq!(run.status.code(), Some(1), "{line}");
+        assert!(String::from_utf8_lossy(&run.stderr).contains("No space left"), "{line}");
     }
 }
 
 #[test]
 fn colours_are_for_terminals() {
-    let plain = topple(&["run", "none.toml"]).assert().code(2);
-    assert!(!plain.get_output().stderr.contains(&0x1b));
-    let coloured = topple(&["run", "none.toml"]).env("CLICOLOR_FORCE", "1").assert().code(2);
-    assert!(coloured.get_output().stderr.contains(&0x1b));
-    let without = topple(&["run", "none.toml"]).env("NO_COLOR", "1").assert().code(2);
-    assert!(!without.get_output().stderr.contains(&0x1b));
+    let room = Room::new();
+    let coloured = |name: &str, value: &str| {
+        let run = room.process("run none.toml").env(name, value).assert().code(2);
+        run.get_output().stderr.contains(&0x1b)
+    };
+    assert!(!coloured("TERM", "dumb"));
+    assert!(coloured("CLICOLOR_FORCE", "1"));
+    assert!(!coloured("NO_COLOR", "1"));
 }

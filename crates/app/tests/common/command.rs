@@ -1,16 +1,11 @@
-//! The command, in this process where nothing asks for one of its own: its arguments, where it runs, and what it ended
-//! with.
+//! The command in this process, and as a process of its own: its words, where it runs, and what it ended with.
 
-use std::ffi::OsStr;
+use std::ffi::{OsStr, OsString};
 use std::fmt::Debug;
 use std::io::Write;
 use std::iter;
-#[cfg(unix)]
-use std::os::unix::process::ExitStatusExt;
-#[cfg(windows)]
-use std::os::windows::process::ExitStatusExt;
 use std::path::Path;
-use std::process::{Child, ExitStatus, Output, Stdio};
+use std::process::{Child, Output, Stdio};
 use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -36,18 +31,30 @@ impl Write for Kept {
     }
 }
 
-/// A run of `topple` that is prepared.
+impl Kept {
+    fn text(self) -> String {
+        String::from_utf8(self.0.lock().unwrap().clone()).unwrap()
+    }
+}
+
+/// Runs the command in this process: its status, and what it wrote to stdout and to stderr.
+pub fn run(words: impl IntoIterator<Item = OsString>) -> (u8, String, String) {
+    let [out, err] = [(); 2].map(|()| Kept::default());
+    let words = iter::once("topple".into()).chain(words);
+    let code = topple_app::run(words, Streams::plain(out.clone(), err.clone()));
+    (code, out.text(), err.text())
+}
+
+/// A process of `topple` that is prepared.
 pub struct Command {
     process: std::process::Command,
-    /// It needs a process of its own.
-    apart: bool,
     longest: Option<Duration>,
 }
 
 impl Command {
     pub fn topple() -> Command {
         let process = std::process::Command::new(program());
-        Command { process, apart: false, longest: None }
+        Command { process, longest: None }
     }
 
     pub fn arg(&mut self, argument: impl AsRef<OsStr>) -> &mut Command {
@@ -64,60 +71,39 @@ impl Command {
     }
 
     pub fn env(&mut self, name: impl AsRef<OsStr>, value: impl AsRef<OsStr>) -> &mut Command {
-        self.apart = true;
         self.process.env(name, value);
         self
     }
 
     pub fn env_remove(&mut self, name: impl AsRef<OsStr>) -> &mut Command {
-        self.apart = true;
         self.process.env_remove(name);
         self
     }
 
     pub fn current_dir(&mut self, directory: impl AsRef<Path>) -> &mut Command {
-        self.apart = true;
         self.process.current_dir(directory);
-        self
-    }
-
-    /// Runs it in a process of its own: it sets what a process has once.
-    pub fn apart(&mut self) -> &mut Command {
-        self.apart = true;
         self
     }
 
     /// A run that takes longer is ended, and the test with it.
     pub fn timeout(&mut self, longest: Duration) -> &mut Command {
-        self.apart = true;
         self.longest = Some(longest);
         self
     }
 
+    /// Begins it.
+    pub fn spawn(&mut self) -> Child {
+        let pipes = self.process.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        pipes.spawn().unwrap()
+    }
+
     /// Runs the command to its end.
     pub fn output(&mut self) -> std::io::Result<Output> {
-        if !self.apart {
-            return Ok(self.here());
-        }
-        let pipes = self.process.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        let child = pipes.spawn()?;
+        let child = self.spawn();
         match self.longest {
             None => child.wait_with_output(),
             Some(longest) => within(child, longest),
         }
-    }
-
-    fn here(&self) -> Output {
-        let words = iter::once(program().as_os_str()).chain(self.process.get_args());
-        let [out, err] = [(); 2].map(|()| Kept::default());
-        let streams = Streams::plain(out.clone(), err.clone());
-        let code = topple_app::run(words.map(Into::into), streams);
-        #[cfg(unix)]
-        let code = i32::from(code) << 8;
-        #[cfg(windows)]
-        let code = u32::from(code);
-        let [stdout, stderr] = [out, err].map(|kept| kept.0.lock().unwrap().clone());
-        Output { status: ExitStatus::from_raw(code), stdout, stderr }
     }
 
     /// The same, for the test to say how it must have ended.
@@ -126,6 +112,13 @@ impl Command {
         let output = self.output().unwrap();
         Assert { run: format!("{:?}", self.process), output }
     }
+}
+
+/// Sends Ctrl-C to a child.
+#[cfg(unix)]
+pub fn interrupt(child: &Child) {
+    let sent = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(sent.unwrap().success());
 }
 
 /// The output of a child that must end in time.

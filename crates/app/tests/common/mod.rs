@@ -10,6 +10,9 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 pub mod command;
+pub mod golden;
+pub mod room;
+pub mod suite;
 
 use command::Command;
 pub use engine::*;
@@ -29,26 +32,18 @@ pub fn names(directory: &Path) -> Vec<String> {
 pub fn own_lines(stderr: &str) -> Vec<String> {
     static DRIVERS: LazyLock<Vec<String>> = LazyLock::new(|| {
         // A command that says nothing itself but where it fails.
-        let run = Command::topple().arg("adapters").assert().success();
+        let run = Command::topple().args(["adapters"]).assert().success();
         lines(&String::from_utf8_lossy(&run.get_output().stderr))
     });
     lines(stderr).into_iter().filter(|line| !DRIVERS.contains(line)).collect()
 }
 
-/// The same without the warning that a suite of a few motions tells narrow intervals.
-pub fn own_lines_but_few(stderr: &str) -> Vec<String> {
+/// The lines of a run in this process, without the warning that a suite of a few motions tells narrow intervals.
+pub fn all_but_few(stderr: &str) -> Vec<String> {
     let few = |line: &String| line.contains("; of fewer than 10 they are too narrow");
-    own_lines(stderr).into_iter().filter(|line| !few(line)).collect()
+    lines(stderr).into_iter().filter(|line| !few(line)).collect()
 }
 
 fn lines(text: &str) -> Vec<String> {
     text.lines().map(String::from).collect()
-}
-
-/// The line that a command is refused with, status 2.
-pub fn refused(arguments: &[&str]) -> String {
-    let run = Command::topple().args(arguments).assert().code(2);
-    let said = String::from_utf8(run.get_output().stderr.clone()).unwrap();
-    assert_eq!(said.lines().count(), 1, "{said}");
-    said
 }

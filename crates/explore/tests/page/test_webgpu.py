@@ -1,6 +1,6 @@
 """The engine of the exported page in Chromium, on SwiftShader's WebGPU, against the library.
 
-`cargo test --test app exported::` writes what the library has; `python -m pytest crates/explore/tests/page/test_webgpu.py` compares.
+`cargo test --test explore exported::` writes what the library has; `python -m pytest crates/explore/tests/page/test_webgpu.py` compares.
 """
 
 import http.server
@@ -166,7 +166,7 @@ COMPARE = """async ([file, spoiled]) => {
 
 
 def test_the_library_has_written_what_is_compared():
-    assert len(SCENES) > 20, f"{EXPORTED} has {len(SCENES)} scenes: run `cargo test --test app exported::` first"
+    assert len(SCENES) > 20, f"{EXPORTED} has {len(SCENES)} scenes: run `cargo test --test explore exported::` first"
     assert any(json.loads(path.read_text())["outcomes"] for path in SCENES), "no adapter has computed outcomes"
 
 

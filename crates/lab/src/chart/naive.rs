@@ -44,7 +44,7 @@ fn run(plan: &Plan, case: &Case, events_kept: usize) -> (Outcome, FirstSwitches<
         let kind = step(&set, &mut state);
         log.switched(kind, 1.0, &state);
         state.step += 1;
-        if state.step >= cell.steps && state.status == RUNNING {
+        if state.step >= cell.steps.steps && state.status == RUNNING {
             state.status = FINISHED;
         }
     }
@@ -55,18 +55,17 @@ fn run(plan: &Plan, case: &Case, events_kept: usize) -> (Outcome, FirstSwitches<
 fn step(set: &CellEquations<f64>, state: &mut State<f64>) -> u32 {
     let rocking = state.mode != FULL_CONTACT;
     let corner = pivot(set.model, state.mode);
-    let forced = state.step < set.cell.steps_forced;
-    let h = if forced { set.cell.step_forced } else { set.cell.step_free };
+    let forced = state.step < set.cell.steps.steps_forced;
+    let h = if forced { set.cell.steps.step_forced } else { set.cell.steps.step_free };
     let index = state.step;
     let ground = |fraction| ground_at(set, index, fraction);
     let y = state.motion;
     let k1 = rates(set, &corner, rocking, &y, ground(0.0));
     let stepped = rk4(set, &corner, rocking, &y, &k1, h, [ground(0.5), ground(1.0)]);
     let k_end = rates(set, &corner, rocking, &stepped.y, ground(1.0));
-    let mut extremes = state.extremes();
+    let extremes = &mut state.extremes;
     extremes.update_motion(Asked::ALL, true, (true, corner.side), &y, &stepped.y, h);
     extremes.update_contact(true, k1.contact(), stepped.mid, k_end.contact());
-    state.set_extremes(&extremes);
     state.motion = stepped.y;
     if !is_finite(&stepped.y) {
         state.status = DIVERGED;
@@ -108,7 +107,7 @@ fn land_or_overturn(set: &CellEquations<f64>, state: &mut State<f64>, ground: Gr
     let rebound = (landing.eta_phi * state.motion.dphi).abs();
     let k = rates(set, &leaving, false, &resting, ground);
     let lifts = largest_uplift_moment(set, k.contact()) > 0.0;
-    if landing.eta_phi <= 0.0 || (rebound < set.cell.rest_speed && !lifts) {
+    if landing.eta_phi <= 0.0 || (rebound < set.cell.steps.rest_speed && !lifts) {
         (state.motion, state.mode) = (resting, FULL_CONTACT);
     } else {
         (state.motion, state.mode) = (change_corner(&landing, &state.motion), other);

@@ -182,8 +182,10 @@ fn a_shader_that_does_nothing_is_an_error() {
             .sweep::<f32>(&plan, &grid, &all(&grid), &Unwatched)
             .map(|ran| ran.block.to_outcomes())
     };
-    let idle =
-        sweep("turn(cell, &state, &turns);", "if cell.steps == 0u { turn(cell, &state, &turns); }");
+    let idle = sweep(
+        "turn(cell, &state, &turns);",
+        "if cell.steps.steps == 0u { turn(cell, &state, &turns); }",
+    );
     assert!(matches!(idle, Err(BackendError::Unfinished(64))), "{idle:?}");
     // States zeroed behind the sweep's back.
     let zeroed = sweep("states[lane] = state;", "states[lane] = State();");

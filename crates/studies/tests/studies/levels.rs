@@ -9,15 +9,7 @@ use topple_studies::fragility::levels;
 use topple_studies::suites::intensity::Intensity;
 use topple_studies::suites::wanted::WantedMotion;
 
-/// Samples of a motion of six seconds, of a peak about as large.
-pub fn samples(peak: f64, omega: f64) -> Vec<f64> {
-    let sample = |k: u32| {
-        let t = 0.02 * f64::from(k);
-        let envelope = (t / 1.5) * (1.0 - t / 1.5).exp();
-        peak * envelope * ((omega * t).sin() + 0.4 * (2.3 * omega * t).cos())
-    };
-    (0..300).map(sample).collect()
-}
+use crate::common::suites::samples;
 
 /// A motion scaled to a level has that level of the measure, whichever it is.
 #[test]

@@ -470,3 +470,26 @@ fn factors_and_baselines_of_a_list_are_judged() {
         "{error}"
     );
 }
+
+/// A link to a folder may lead out of the suite: it is not followed, and no file of the same name is taken in its place.
+#[cfg(unix)]
+#[test]
+fn files_behind_a_link_to_a_folder_are_told() {
+    use std::os::unix::fs::symlink;
+    let (folder, elsewhere) = (records(), TempDir::new().unwrap());
+    put(elsewhere.path(), "B090.AT2", Some(90));
+    put(elsewhere.path(), "A090.AT2", Some(0));
+    symlink(elsewhere.path(), folder.path().join("link")).unwrap();
+    let list = "id,horizontal,vertical\na,A090.AT2,A-UP.AT2\nb,link/B090.AT2,A-UP.AT2\n\
+                c,link/A090.AT2,A-UP.AT2\nd,link/C090.AT2,A-UP.AT2\n";
+    fs::write(folder.path().join("list.csv"), list).unwrap();
+    let suite = Suite::read(folder.path(), false).unwrap();
+    let why = |id: &str| suite.left_out().find(|(entry, _)| entry.id == id).unwrap().1.to_string();
+    let said = "lies behind link, a link to a folder, and links to folders are not followed; put";
+    assert!(why("b").starts_with(&format!("link/B090.AT2 {said}")), "{}", why("b"));
+    assert!(why("c").starts_with(&format!("link/A090.AT2 {said}")), "{}", why("c"));
+    assert_eq!(why("d"), "link/C090.AT2 is in the list and not among the files");
+    let unused: Vec<_> = suite.unused.iter().map(|one| (&*one.file, &*one.why)).collect();
+    let what = "a link to a folder, which is not followed; put the files themselves there";
+    assert_eq!(unused, [("link", what)]);
+}

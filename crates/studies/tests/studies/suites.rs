@@ -12,6 +12,8 @@ use topple::scene::record::{Pair, Record};
 use topple_studies::suites::measures::Measures;
 use topple_studies::suites::{Suite, SuiteError};
 
+use crate::common::suites::{OTHER, RISING, at2, downloaded};
+
 /// The record of crates/studies/tests/data/measures.py.
 fn made() -> (f64, Vec<f64>) {
     let dt = 0.005;
@@ -138,46 +140,14 @@ fn measures_between_samples_are_exact() {
     assert_relative_eq!(measures.d5_95, at(0.95) - at(0.05), max_relative = 1e-9);
 }
 
-/// A file of PEER's form.
-fn at2(title: &str, dt: f64, samples: &[f64]) -> String {
-    let values: Vec<String> = samples.iter().map(|a| format!("{a:.7E}")).collect();
-    format!(
-        "PEER NGA STRONG MOTION DATABASE RECORD\n{title}\nACCELERATION TIME SERIES IN UNITS OF G\n\
-         NPTS=  {}, DT= {dt} SEC,\n{}\n",
-        samples.len(),
-        values.join("  ")
-    )
-}
-
-const RISING: [f64; 6] = [0.0, 0.1, 0.3, -0.2, 0.1, 0.0];
-
-const OTHER: [f64; 4] = [0.0, 0.1, -0.2, 0.0];
-
-const SECOND: [f64; 4] = [0.0, -0.15, 0.2, 0.0];
-
-/// A folder with what users have: a whole triple, a vertical that is positive down, one too few, one too many,
-/// K-NET's and ESM's names, and files that are none.
+/// A folder with what users have.
 fn folder() -> TempDir {
     let folder = TempDir::new().unwrap();
-    let put = |name: &str, text: String| {
+    for (name, text) in downloaded() {
         let path = folder.path().join(name);
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         fs::write(path, text).unwrap();
-    };
-    let title = |component: &str| format!("A Quake, 1/2/1990, A Town, {component}");
-    put("RSN1_QUAKE_TWN000.AT2", at2(&title("0"), 0.01, &RISING));
-    put("RSN1_QUAKE_TWN090.AT2", at2(&title("90"), 0.01, &SECOND));
-    put("RSN1_QUAKE_TWN-UP.AT2", at2(&title("UP"), 0.005, &OTHER));
-    put("sub/RSN2_QUAKE_CTY010.AT2", at2(&title("10"), 0.01, &RISING));
-    put("sub/RSN2_QUAKE_CTYDWN.AT2", at2(&title("DWN"), 0.01, &OTHER));
-    put("RSN3_QUAKE_VIL000.AT2", at2(&title("0"), 0.01, &RISING));
-    put("RSN4_QUAKE_HAM000.AT2", at2(&title("0"), 0.01, &RISING));
-    put("RSN4_QUAKE_HAM-UP.AT2", at2(&title("UP"), 0.01, &OTHER));
-    put("RSN4_QUAKE_HAMDWN.AT2", at2(&title("DWN"), 0.01, &OTHER));
-    put("RSN5_QUAKE_FAR-UP.AT2", at2(&title("UP"), 0.01, &OTHER));
-    put("RSN6_QUAKE_BAD000.AT2", "no record".into());
-    put("RSN6_QUAKE_BAD-UP.AT2", at2(&title("UP"), 0.01, &OTHER));
-    put("notes.txt", "mine".into());
+    }
     folder
 }
 

@@ -18,13 +18,14 @@ pub(super) struct Ways {
 
 const UP: &str = "up upward upwards";
 const DOWN: &str = "down downward downwards dwn dn";
-const POSITIVE: &str = "positive pos plus polarity convention sense";
+const POSITIVE: &str = "positive pos plus polarity convention";
 const POINTS: &str = "points pointing directed oriented";
 const SYSTEM: &str = "axes components component channels channel";
 /// Words of a vertical, without its sign.
 pub(super) const VERTICAL: &str = "vertical vert ver z ud hnz hlz bnz";
 /// Words that change nothing in a phrase.
-const FILLING: &str = "is are and the of for ve direction axis motion acceleration accelerations values to towards time t";
+const FILLING: &str = "\
+    is are sense and the of for ve direction axis motion acceleration accelerations values to towards time t";
 
 /// What a line says: `positive north, east, down`, `polarity: up`, `+ down`, `Z axis points down`, `vertical down`,
 /// `components: N, E, D`.
@@ -62,6 +63,7 @@ pub(super) fn words(text: &str) -> impl Iterator<Item = &str> {
 }
 
 fn ways(text: &str) -> Option<Ways> {
+    let plus = text.contains(['+', '\u{ff0b}', '\u{fe62}']);
     let text = lower(text).replace('+', " positive ");
     let text = text.trim_matches(['.', '"', ' ']);
     let chars: Vec<char> = text.chars().collect();
@@ -78,6 +80,9 @@ fn ways(text: &str) -> Option<Ways> {
         .flat_map(|word| if word == "ned" { vec!["n", "e", "d"] } else { vec![word] })
         .collect();
     let has = |list: &str| all.iter().any(|word| listed(list, word));
+    // The sense of something is no key by itself.
+    let tight = text.replace(' ', "");
+    let of_sense = tight.contains("sense:") || tight.contains("sense=");
     let across = has("e w east eastward eastwards west westward westwards");
     let along = has("n s north northward northwards south southward southwards");
     // A letter for each word that counts: k of positive, w of up and down, g along the ground, p of pointing, v of a vertical.
@@ -87,7 +92,7 @@ fn ways(text: &str) -> Option<Ways> {
         let ground = match *word {
             "n" | "north" | "northward" | "northwards" => Some(0.0),
             "e" | "east" | "eastward" | "eastwards" => Some(90.0),
-            "s" if across || text.contains("positive") => Some(180.0),
+            "s" if across || plus => Some(180.0),
             "south" | "southward" | "southwards" => Some(180.0),
             "w" | "west" | "westward" | "westwards" => Some(270.0),
             _ => None,
@@ -106,7 +111,7 @@ fn ways(text: &str) -> Option<Ways> {
         let letter = match word {
             _ if way.is_some() => 'w',
             _ if ground.is_some() => 'g',
-            word if listed(POSITIVE, word) => 'k',
+            word if listed(POSITIVE, word) || *word == "sense" && of_sense => 'k',
             word if listed(POINTS, word) => 'p',
             word if listed(VERTICAL, word) => 'v',
             word if listed(FILLING, word) => continue,

@@ -208,10 +208,10 @@ fn impacts(
     let mut log = Impacts { step, times: Vec::new() };
     let outcome = altered::<f64>(&plan, &mut log, |cell, _| {
         // Free steps from the start to the end of the run.
-        cell.steps_forced = 0;
-        cell.steps = (scene.case().t_max / step).round() as u32;
+        cell.steps.steps_forced = 0;
+        cell.steps.steps = (scene.case().t_max / step).round() as u32;
         if let Some(speed) = rest_speed {
-            cell.rest_speed = speed;
+            cell.steps.rest_speed = speed;
         }
     });
     (log.times, outcome)

@@ -106,18 +106,18 @@ fn in_cells_of<R: Real>() {
         for place in 0..12 {
             let cell = altered::<R>(&plan, &mut (), |cell, state| {
                 let numbers = [
-                    &mut cell.post_yield,
-                    &mut cell.hysteretic,
-                    &mut cell.damping_h,
-                    &mut cell.inverse_yield,
-                    &mut cell.stiffness_v,
-                    &mut cell.damping_v,
-                    &mut cell.amplitude_h,
-                    &mut cell.amplitude_v,
-                    &mut cell.phase_step,
-                    &mut cell.step_forced,
-                    &mut cell.step_free,
-                    &mut cell.rest_speed,
+                    &mut cell.horizontal.post_yield,
+                    &mut cell.horizontal.hysteretic,
+                    &mut cell.horizontal.damping_h,
+                    &mut cell.horizontal.inverse_yield,
+                    &mut cell.vertical.stiffness_v,
+                    &mut cell.vertical.damping_v,
+                    &mut cell.drive.amplitude_h,
+                    &mut cell.drive.amplitude_v,
+                    &mut cell.steps.phase_step,
+                    &mut cell.steps.step_forced,
+                    &mut cell.steps.step_free,
+                    &mut cell.steps.rest_speed,
                 ];
                 for (index, number) in numbers.into_iter().enumerate() {
                     if index == place {
@@ -222,8 +222,8 @@ fn the_shader_says_so_where_its_numbers_are_not_finite() {
     for (from, to) in [
         ("p * push_h - q * push_v", "p * push_h - q * push_v + sqrt(-1.0 - w)"),
         (
-            "var spring = cell.post_yield * y.u;",
-            "var spring = cell.post_yield * y.u * sqrt(-1.0 - y.u * y.u);",
+            "var spring = cell.horizontal.post_yield * y.u;",
+            "var spring = cell.horizontal.post_yield * y.u * sqrt(-1.0 - y.u * y.u);",
         ),
         ("landing.eta_phi * y.dphi,", "landing.eta_phi * y.dphi * sqrt(-1.0 - y.dphi * y.dphi),"),
     ] {

@@ -113,7 +113,7 @@ fn a_comment_is_read_or_refused_or_a_title() {
              Z axis: SEG convention | positive down: no | positive down: false | positive_down = 0 | positive up: no | \
              was positive down, now positive up | original polarity: down; data: positive up | -up | minus Z | -Z | \
              depth 20 m, positive down | sensor depth (down positive): 10 m | downward movement gives positive values | \
-             accelerations are positive when the ground moves down | Vertical 10m down | vertical -down | UD (-) | \
+             accelerations are positive when the ground moves down | Vertical 10m down | vertical -down | sense of motion down | UD (-) | \
              vertical component, 5 m down | down=+1 | up = -1 | not positive down | positive is not up | negative up | \
              down is not positive | not corrected, positive down | -ve down | up positive, down negative | +up -down | \
              up is positive and down is negative | Up (+), Down (-) | UD (up + / down -) | positive up (not down) | \

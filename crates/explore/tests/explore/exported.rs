@@ -434,22 +434,6 @@ fn a_number_is_refused_where_it_means_nothing_beside_the_choices() {
         .unwrap();
 }
 
-/// The command writes a page, and leaves a folder of other files as it is.
-#[test]
-fn the_command_exports_a_page() {
-    let folder = tempfile::tempdir().unwrap();
-    let run = |at: &Path| {
-        let mut command = crate::common::command::Command::topple();
-        command.args(["explore", "--backend", "cpu", "--export"]).arg(at).assert()
-    };
-    run(&folder.path().join("page")).success();
-    let index = fs::read_to_string(folder.path().join("page/index.html")).unwrap();
-    assert!(index.contains(r#"content="webgpu""#));
-    let refused = run(folder.path()).code(2);
-    let told = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
-    assert!(told.contains("--export") && told.contains("holds other files"), "{told}");
-}
-
 /// The files of a folder, but for those in folders in it, by their names.
 fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let entries = fs::read_dir(folder).unwrap().map(Result::unwrap);
