@@ -11,7 +11,7 @@ use super::spans::Spans;
 use super::state::{RUNNING, State};
 use crate::model::CellEquations;
 use crate::model::block::{Corner, FULL_CONTACT, Model, ROCKING_LEFT, ROCKING_RIGHT, pivot};
-use crate::model::dynamics::{Contact, Rates, rates};
+use crate::model::dynamics::Contact;
 use crate::model::excitation::{Cell, Ground};
 use crate::model::isolation::{Variant, support};
 use crate::model::motion::Motion;
@@ -200,12 +200,6 @@ impl<'a, V: Vector> Lanes<'a, V> {
         self.running &= !bits;
     }
 
-    /// Lets only these lanes continue, each of which has a cell; the others wait between two steps.
-    #[inline(always)]
-    pub fn run_only(&mut self, bits: u64) {
-        self.running = bits;
-    }
-
     /// The lanes that have a cell, one bit each.
     #[inline(always)]
     pub fn running(&self) -> u64 {
@@ -238,24 +232,6 @@ impl<'a, V: Vector> Lanes<'a, V> {
     #[inline(always)]
     pub fn ground(&self, fraction: V) -> Ground<V> {
         self.forcing.ground(self.shared.variant, &self.cell, fraction)
-    }
-
-    /// True where steps may be cut at kinks of the Bouc-Wen law.
-    #[inline(always)]
-    pub fn has_kinks(&self) -> bool {
-        self.shared.variant.kinks
-    }
-
-    /// The length of the step of each lane, s.
-    #[inline(always)]
-    pub fn step_length(&self) -> V {
-        self.forcing.step
-    }
-
-    /// The rates of motions in full contact.
-    #[inline(always)]
-    pub fn standing_rates(&self, motion: &Motion<V>, ground: Ground<V>) -> Rates<V> {
-        rates(&self.equations(), &self.corner, self.start.mask(0), motion, ground)
     }
 
     /// The motion of each lane.

@@ -30,7 +30,6 @@ pub(crate) mod search;
 pub mod single;
 pub(crate) mod span;
 pub(crate) mod spans;
-pub(crate) mod standing;
 pub mod state;
 pub(crate) mod switching;
 pub(crate) mod turn;

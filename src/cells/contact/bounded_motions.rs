@@ -35,7 +35,7 @@ fn integrate_lanes<V: Vector>(
     let first = gaps.end(zero.mask(0), &lanes, direction);
     let mut written = WrittenMotions::begin(slots, (direction, forces), &first);
     while lanes.running() != 0 {
-        let ended = if lanes.has_kinks() { lanes.advance() } else { lanes.stand() };
+        let ended = lanes.advance();
         let through = lanes.between_steps();
         gaps.take(through, force(&lanes, direction));
         // The gaps of a pulse are its steps.
