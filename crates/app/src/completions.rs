@@ -1,10 +1,9 @@
 //! `topple completions` and `topple man`, made of the same definitions as the help.
 
-use clap::CommandFactory;
 use clap_complete::{Shell, generate};
 use clap_mangen::Man;
 
-use super::{Arguments, InputError, examples, print};
+use super::{InputError, arguments, examples, print};
 
 /// Print the completions of a shell.
 #[derive(clap::Args)]
@@ -18,7 +17,7 @@ impl CompletionsCommand {
     /// Prints the completions.
     pub fn run(&self) -> anyhow::Result<()> {
         let mut text = Vec::new();
-        generate(self.shell, &mut Arguments::command(), "topple", &mut text);
+        generate(self.shell, &mut arguments(), "topple", &mut text);
         print::text(String::from_utf8(text)?);
         Ok(())
     }
@@ -35,7 +34,7 @@ pub struct ManCommand {
 impl ManCommand {
     /// Prints the page.
     pub fn run(&self) -> anyhow::Result<()> {
-        let mut whole = Arguments::command();
+        let mut whole = arguments();
         // Its commands then know their whole names.
         whole.build();
         let page = match &self.command {

@@ -4,13 +4,13 @@
 
 mod adapters;
 mod bench;
-mod beside;
+pub mod beside;
 mod call;
 mod chart;
 mod compare;
 mod compare_words;
 mod completions;
-mod date;
+pub mod date;
 mod device_remarks;
 mod disk;
 #[doc(hidden)] // for the test of damaged files
@@ -43,7 +43,7 @@ mod options;
 mod picture_flags;
 mod print;
 mod probability;
-mod progress;
+pub mod progress;
 mod pulse;
 mod ratios;
 mod record;
@@ -62,7 +62,7 @@ mod suite;
 mod suite_run;
 mod template;
 mod uncertain;
-mod words;
+pub mod words;
 mod written;
 
 use std::ffi::OsString;
@@ -134,6 +134,11 @@ enum Command {
     Licences,
 }
 
+/// The grammar of its command lines.
+pub fn arguments() -> clap::Command {
+    Arguments::command()
+}
+
 /// Parses the words of a command line, the program's name first, and does what they say.
 fn parse_and_do(words: &[OsString]) -> anyhow::Result<()> {
     let arguments = match Arguments::try_parse_from(words) {
@@ -191,7 +196,7 @@ fn one_line(error: &clap::Error, words: &[OsString]) -> String {
     let line = said.join(" ").replace(" tip: ", "; ");
     let line = line.strip_prefix("error: ").unwrap_or(&line);
     let first = words.get(1).and_then(|word| word.to_str());
-    let command = first.filter(|name| Arguments::command().find_subcommand(name).is_some());
+    let command = first.filter(|name| arguments().find_subcommand(name).is_some());
     let command = command.map(|name| format!(" {name}")).unwrap_or_default();
     format!("{line}; see topple{command} --help")
 }

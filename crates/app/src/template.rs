@@ -1,10 +1,9 @@
 //! `topple scene`: a scene file to start from, with every key and what it means.
 
-use clap::CommandFactory;
 use topple::scene::keys::words;
 use topple::scene::parameters::{PARAMETERS, Section};
 
-use super::Arguments;
+use super::arguments;
 use super::print::print_line;
 use super::scene::DEFAULT_SCENE;
 
@@ -28,7 +27,7 @@ fn given(scene: &str) -> Vec<(&str, &str)> {
 }
 
 fn text() -> String {
-    let arguments = Arguments::command();
+    let arguments = arguments();
     // A history has every flag that a scene has.
     let flags = arguments.find_subcommand("history");
     let help = |key: &str| {

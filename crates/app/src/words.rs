@@ -502,19 +502,3 @@ pub fn style(v: &Verification) -> Style {
         Verdict::Nothing => WRONG,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::reference;
-
-    #[test]
-    fn what_the_reference_says_is_a_sentence_for_each_case() {
-        assert_eq!(reference(128, 0, 0), "128 cells computed again: all outcomes are equal");
-        let at_boundaries = reference(128, 1, 0);
-        assert!(at_boundaries.contains("again: 1 outcome differs, where this is expected"));
-        let wrong = reference(128, 3, 2);
-        assert!(
-            wrong.contains("3 outcomes differ, 2 of them inside an area of one outcome: wrong")
-        );
-    }
-}

@@ -6,16 +6,19 @@
 mod common;
 
 mod again;
+mod beside;
 mod chart;
 mod columns;
 mod command;
 mod compare;
+mod date;
 mod devices;
 mod docs_pictures;
 mod drivers;
 mod earlier_runs;
 mod ending;
 mod envelopes;
+mod examples;
 mod experiments;
 mod explore;
 mod exported_curves;

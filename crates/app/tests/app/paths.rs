@@ -139,13 +139,15 @@ fn a_scene_is_not_saved_under_a_name_that_is_no_text() {
 fn words_that_are_no_text_are_refused_in_one_line() {
     let wrong = OsStr::from_bytes(b"a\xff");
     let text = |word: &'static str| OsStr::new(word);
-    let lines: [&[&OsStr]; 7] = [
+    let lines: [&[&OsStr]; 8] = [
         &[wrong],
         &[text("pulse"), wrong],
         &[wrong, text("pulse")],
         &[text("help"), wrong],
         &[text("pulse"), text("--t-h"), wrong],
         &[text("pulse"), text("--title"), wrong],
+        // One of a list of words.
+        &[text("seismic"), text("--units"), wrong],
         &[text("pulse"), OsStr::from_bytes(b"--t-h=\xff")],
     ];
     for words in lines {

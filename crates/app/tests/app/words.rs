@@ -1,6 +1,8 @@
 //! What the command says: messages that name what is wrong and what to do, help, completions, the manual, colours.
 
 use crate::common::golden::is_printed;
+use topple_app::words::reference;
+
 use crate::common::room::Room;
 
 /// What each command prints of a small run, warnings with it, is what stands in tests/printed.
@@ -156,7 +158,7 @@ fn units_are_for_the_file_that_tells_none() {
     let at2 = "PEER\nA, B, C\nACCELERATION IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n.1 .2 .1\n";
     room.write("h.at2", at2);
     room.write("v.txt", "100\n-90\n10\n");
-    let seismic = "seismic --object 1 --t-h 1 --t-v 1 --dry-run --units cm/s2";
+    let seismic = "seismic --object 1 --t-h 1 --t-v 1 --dry-run --units gal";
     room.run(&format!("{seismic} --horizontal ./h.at2 --vertical ./v.txt --dt 0.02"));
     room.run(&format!("{seismic} --horizontal ./v.txt --vertical ./h.at2 --dt 0.02"));
     // Where both tell, it is refused.
@@ -205,9 +207,21 @@ fn help_has_ranges_defaults_and_examples() {
     ] {
         help.has(said);
     }
-    for command in ["pulse", "seismic", "history", "run", "merge", "figures", "chart", "bench"] {
-        room.run(&format!("{command} --help")).has("Examples:");
-    }
+}
+
+#[test]
+fn a_word_of_a_list_is_explained_and_another_is_refused_with_those_that_there_are() {
+    let room = Room::new();
+    let help = room.run("seismic --help");
+    help.has("- g:     Multiples of 9.81 m/s^2\n");
+    assert!(!help.out.contains("gal:"), "another word for cm/s2: {}", help.out);
+    let others = "[possible values: g, m/s2, cm/s2]; a similar value exists: 'm/s2'";
+    room.refuses("seismic --units m/s", &["invalid value 'm/s' for '--units", others]);
+}
+
+#[test]
+fn nothing_that_a_terminal_obeys_is_shown() {
+    Room::new().refuses("pulse --a\u{202e}b\u{200b}c", &["'--a\u{fffd}b\u{fffd}c'"]);
 }
 
 #[test]
@@ -254,4 +268,13 @@ fn colours_are_for_terminals() {
     assert!(!coloured("TERM", "dumb"));
     assert!(coloured("CLICOLOR_FORCE", "1"));
     assert!(!coloured("NO_COLOR", "1"));
+}
+
+#[test]
+fn what_the_reference_says_is_a_sentence_for_each_case() {
+    assert_eq!(reference(128, 0, 0), "128 cells computed again: all outcomes are equal");
+    let at_boundaries = reference(128, 1, 0);
+    assert!(at_boundaries.contains("again: 1 outcome differs, where this is expected"));
+    let wrong = reference(128, 3, 2);
+    assert!(wrong.contains("3 outcomes differ, 2 of them inside an area of one outcome: wrong"));
 }
