@@ -11,7 +11,7 @@ pub mod comparison;
 pub mod fragility;
 mod several;
 pub mod sharpness;
-mod sheet;
+pub mod sheet;
 pub mod statistics;
 pub mod study;
 pub mod suites;

@@ -11,19 +11,19 @@ use topple::scene::record::Units;
 type Unit = (&'static str, &'static str, f64);
 
 /// Units of accelerations. The names are those of `--hazard-units`.
-const ACCELERATIONS: [Unit; 3] = [
+pub const ACCELERATIONS: [Unit; 3] = [
     ("g", "g", GRAVITY),
     ("m/s2|m/s/s|ms-2", "m/s2", 1.0),
     ("cm/s2|cm/s/s|cms-2|gal|gals", "cm/s2", 0.01),
 ];
 /// Units of velocities, in which the Arias intensity is, too, and of the cumulative absolute velocity.
-const VELOCITIES: [Unit; 3] =
+pub const VELOCITIES: [Unit; 3] =
     [("m/s|ms-1", "m/s", 1.0), ("cm/s|cms-1", "cm/s", 0.01), ("gs", "g s", GRAVITY)];
 /// What stands for the unit of a ratio.
-const RATIOS: [Unit; 1] = [("-|1", "1", 1.0)];
+pub const RATIOS: [Unit; 1] = [("-|1", "1", 1.0)];
 
 /// The measures by their words of `--im`, with the names of their levels in small letters.
-const MEASURES: [(&str, &str); 8] = [
+pub const MEASURES: [(&str, &str); 8] = [
     ("pga", "pga|peak ground acceleration"),
     ("pgv", "pgv|peak ground velocity"),
     ("sa", "sa|psa|spectral acceleration|pseudo acceleration|pseudo spectral acceleration"),
@@ -33,28 +33,29 @@ const MEASURES: [(&str, &str); 8] = [
     ("pga*", "pga*"),
     ("pgv*", "pgv*"),
 ];
-/// Names of levels of any measure, and of any acceleration.
-const ANY: &str = "level|im|iml|intensity measure|intensity measure level|intensity level|intensity|ground motion";
-const ACCELERATION_NAMES: &str = "acc|acceleration";
+/// Names of levels of any measure.
+pub const ANY: &str = "level|im|iml|intensity measure|intensity measure level|intensity level|intensity|ground motion";
+/// Names of levels of any acceleration.
+pub const ACCELERATION_NAMES: &str = "acc|acceleration";
 /// Measures that no study has.
 const OTHERS: &str = "pgd|mmi|ems|jma|sd|sv|psv|psd";
 /// The horizontal component whose median is that of one component; what else a component is called is not read.
-const COMPONENTS: &str = "rotd50|gmrotd50|gmroti50|geomean|horizontal";
+pub const COMPONENTS: &str = "rotd50|gmrotd50|gmroti50|geomean|horizontal";
 /// The damping of `sa` and `avg-sa`.
 const DAMPING: &str = "5%|damping|damped";
 /// The unit of a period.
 const SECONDS: &str = "seconds|second|sec|s";
 
 /// Names of annual rates without their first words, `mean`, `annual` or `yearly`.
-const RATES: &str = "rate|frequency|rate of exceedance|frequency of exceedance|exceedance rate|exceedance frequency|lambda|\u{3bb}|maf|mafe|mar|\
+pub const RATES: &str = "rate|frequency|rate of exceedance|frequency of exceedance|exceedance rate|exceedance frequency|lambda|\u{3bb}|maf|mafe|mar|\
                      mre|afe|afoe|exceedances|events";
 /// What may stand behind them.
-const PER_YEAR: &str = "1/yr|1/year|1/a|1/y|/yr|/year|/a|/y|yr-1|year-1|a-1|per year|per yr|per annum|1/jahr|/jahr|pro jahr|par an";
+pub const PER_YEAR: &str = "1/yr|1/year|1/a|1/y|/yr|/year|/a|/y|yr-1|year-1|a-1|per year|per yr|per annum|1/jahr|/jahr|pro jahr|par an";
 /// Names of return periods.
-const PERIODS: &str =
+pub const PERIODS: &str =
     "return period|mean return period|recurrence interval|mean recurrence interval|tr|t r|rp|mri";
 /// What may stand behind them.
-const YEARS: &str = "years|year|yrs|yr|y|a";
+pub const YEARS: &str = "years|year|yrs|yr|y|a";
 /// What is part of a word for a probability, or is one.
 const PROBABILITIES: &str = "prob|poe|wahrsch|w-keit|percent|prozent|%|verosim|vjerojat|pravd|вероятн|πιθαν|olasıl|sannol|todenn|kans|確率|概率|확률|احتمال";
 const PROBABILITY_WORDS: &str = "p|pe|pp|ep|ape|aep|wkt";
@@ -71,7 +72,7 @@ fn has(list: &str, text: &str) -> bool {
 
 /// What stands beside the levels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Rates {
+pub enum Rates {
     /// Annual rates of exceedance.
     Annual,
     /// Return periods, years.
@@ -80,7 +81,7 @@ pub(super) enum Rates {
 
 /// What a heading says.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Heading {
+pub struct Heading {
     /// The name of the levels' unit, and what it is in SI units; none where the heading has none.
     pub unit: Option<(&'static str, f64)>,
     /// What the second column has.
@@ -88,7 +89,7 @@ pub(super) struct Heading {
 }
 
 /// Judges the heading of a line: `asked` is the unit that the caller gives.
-pub(super) fn judged(
+pub fn judged(
     line: usize,
     [level, rate]: [&str; 2],
     measure: Intensity,
@@ -344,213 +345,4 @@ fn words(heading: &str) -> Vec<String> {
         words.insert(1, period);
     }
     words
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn of(heading: [&str; 2], measure: &str, asked: Option<Units>) -> Result<Heading, String> {
-        let measure = measure.parse().unwrap();
-        judged(1, heading, measure, asked).map_err(|error| error.to_string())
-    }
-
-    #[test]
-    fn names_of_levels_are_those_of_the_measure() {
-        let g = Some("g");
-        for (heading, measure, unit) in [
-            ("level", "pga", None),
-            ("IML", "sa:1", None),
-            ("acc [m/s2]", "avg-sa:1", Some("m/s2")),
-            ("PGA", "pga", None),
-            ("pga_g", "pga", g),
-            ("PGA [cm/s²]", "pga", Some("cm/s2")),
-            ("PGA (gal)", "pga", Some("cm/s2")),
-            ("PGA [m/sec**2]", "pga", Some("m/s2")),
-            ("PGA [m·s⁻²]", "pga", Some("m/s2")),
-            ("Peak Ground Acceleration, g", "pga", g),
-            ("RotD50 PGA [g]", "pga", g),
-            ("PGA_RotD50 (g)", "pga", g),
-            ("SA(1.8) [g]", "sa:1.8", g),
-            ("Sa(1.80 s) (g)", "sa:1.8", g),
-            ("sa_1.8s_g", "sa:1.8", g),
-            ("SA1.8 [g]", "sa:1.8", g),
-            ("Sa(1,8 s) [g]", "sa:1.8", g),
-            ("PSA (T=1.8s, 5%) [g]", "sa:1.8", g),
-            ("pseudo-spectral acceleration 1.8 s [m/s/s]", "sa:1.8", Some("m/s2")),
-            ("AvgSA(1.8) [g]", "avg-sa:1.8", g),
-            ("avg-sa:1.8 [g]", "avg-sa:1.8", g),
-            ("Peak ground velocity [cm/s]", "pgv", Some("cm/s")),
-            ("PGV [m/s]", "pgv", Some("m/s")),
-            ("PGV", "pgv", None),
-            ("IA (cm/s)", "arias", Some("cm/s")),
-            ("CAV [g·s]", "cav", Some("g s")),
-            ("CAV (g-sec)", "cav", Some("g s")),
-            ("pga* [-]", "pga*", Some("1")),
-            ("pgv*", "pgv*", None),
-        ] {
-            let said = of([heading, "rate"], measure, None);
-            let said = said.map(|said| said.unit.map(|(name, _)| name));
-            assert_eq!(said, Ok(unit), "{heading} {measure}");
-        }
-    }
-
-    #[test]
-    fn other_measures_periods_and_units_are_refused() {
-        let other = "these are no levels of";
-        for (heading, measure, wanted) in [
-            ("PSA [g]", "pga", other),
-            ("Sa(0.2 s) (g)", "pga", other),
-            ("PGA [g]", "sa:1.8", other),
-            ("PGV (cm/s)", "pga", other),
-            ("Peak Ground Velocity [m/s]", "pga", other),
-            ("RotD50 PGA [g]", "pgv", other),
-            ("PGA [g]", "pga*", other),
-            ("PGV [m/s]", "pgv*", other),
-            ("pga*", "pga", other),
-            ("acc [m/s2]", "pgv", other),
-            ("SA(0.2) [g]", "sa:1.8", other),
-            ("SA(0.2) [g]", "avg-sa:1.8", other),
-            ("SA(1.8) [g]", "avg-sa:1.8", other),
-            ("SA_1.0 [g]", "sa:1.8", other),
-            ("sa_0.2s", "sa:1.8", other),
-            ("SA [g]", "sa:1.8", "names no period; write `sa(1.8) [g]`"),
-            ("SA(1.8 Hz) [g]", "sa:1.8", "levels in `hz g` are not read"),
-            ("SA(1.8, 2%) [g]", "sa:1.8", "levels in `2% g` are not read"),
-            ("PGD [m]", "pga", "names no measure that is read; call levels of pga `pga [g]`"),
-            ("MMI", "pga", "names no measure"),
-            ("RotD100 PGA [g]", "pga", "names no measure"),
-            ("accelerazione [g]", "pga", "names no measure"),
-            ("PGA (mg)", "pga", "levels in `mg` are not read; give g, m/s2, cm/s2"),
-            ("PGA [%g]", "pga", "levels in `%g` are not read"),
-            ("PGA [g_n]", "pga", "levels in `g n` are not read"),
-            ("PGA_cms2", "pga", "levels in `cms2` are not read"),
-            ("PGA [ft/s2]", "pga", "levels in `ft/s2` are not read"),
-            ("PGA [mm/s²]", "pga", "levels in `mm/s2` are not read"),
-            ("PGA [m/s]", "pga", "levels in `m/s` are not read"),
-            ("PGA vertical [g]", "pga", "levels in `vertical g` are not read"),
-            ("PGA 0.1 [g]", "pga", "levels in `0.1 g` are not read"),
-            ("PGV [g]", "pgv", "levels in `g` are not read; give m/s, cm/s"),
-            ("PGV [in/s]", "pgv", "levels in `in/s` are not read"),
-            ("Arias [g s]", "arias", "are not read; give m/s, cm/s"),
-            ("pga* [g]", "pga*", "levels in `g` are not read"),
-        ] {
-            let said = of([heading, "rate"], measure, None).unwrap_err();
-            let place = "line 1, column ";
-            assert!(said.starts_with(place) && said.contains(wanted), "{heading}: {said}");
-            // With the unit given, a name of no list is not judged, and no period is missed.
-            if ["pga", "sa:1.8", "avg-sa:1.8"].contains(&measure) {
-                let given = of([heading, "rate"], measure, Some(Units::G));
-                let open = ["accelerazione [g]", "SA [g]"].contains(&heading);
-                assert_eq!(given.is_ok(), open, "{heading} {given:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn names_of_rates_are_of_a_list() {
-        for heading in [
-            "rate",
-            "Rate [1/yr]",
-            "annual rate",
-            "Annual rate of exceedance (1/year)",
-            "annual_frequency_of_exceedance",
-            "Mean annual frequency of exceedance [1/a]",
-            "annual exceedance frequency",
-            "exceedance rate, per year",
-            "rate/yr",
-            "rate [yr⁻¹]",
-            "rate (yr^-1)",
-            "lambda",
-            "λ [1/a]",
-            "MAF",
-            "MAFE",
-            "AFE",
-            "exceedances per year",
-            "events/year",
-            "MRE",
-            "rate (1/y)",
-            "Annual Frequency of Exceedence",
-        ] {
-            let said = of(["PGA [g]", heading], "pga", None).map(|said| said.rates);
-            assert_eq!(said, Ok(Rates::Annual), "{heading}");
-        }
-        for heading in [
-            "Return period",
-            "return period [years]",
-            "T_R [yr]",
-            "TR",
-            "rp",
-            "Mean recurrence interval (a)",
-        ] {
-            let said = of(["PGA [g]", heading], "pga", None).map(|said| said.rates);
-            assert_eq!(said, Ok(Rates::Periods), "{heading}");
-        }
-        for heading in [
-            "exceedance (50 years)",
-            "Exceedance in 50 yr [%]",
-            "50-year-probability",
-            "PE50",
-            "PoE50",
-            "PE",
-            "poe",
-            "rate in 50 years",
-            "rate [1/50yr]",
-            "annual rate [%]",
-            "probability of exceedance in 50 years",
-            "annual probability of exceedance",
-            "APE",
-            "rate per day",
-            "rate [1/month]",
-            "rate per decade",
-            "probabilidad anual",
-            "Überschreitungswahrscheinlichkeit",
-            "P(PGA > x)",
-            "return period [days]",
-            "return period [%]",
-            "rate x 1000",
-            "10^-4 1/yr",
-            "number of events in 475 years",
-        ] {
-            for asked in [None, Some(Units::G)] {
-                let said = of(["PGA [g]", heading], "pga", asked).unwrap_err();
-                assert!(said.contains("says no annual rate of exceedance"), "{heading}: {said}");
-            }
-        }
-        // With the unit of the levels given, the names of levels of no list are not judged, those of the rates are.
-        for heading in [
-            "x",
-            "hazard",
-            "exceedances",
-            "frequenza annua",
-            "超過確率",
-            "chance",
-            "daily rate",
-            "T [Jahre]",
-        ] {
-            for asked in [None, Some(Units::G)] {
-                assert!(of(["PGA [g]", heading], "pga", asked).is_err(), "{heading}");
-            }
-        }
-        assert!(of(["anything", "rate"], "pga", Some(Units::G)).is_ok());
-        for heading in [["annual rate", "pga"], ["lambda", "PGA (g)"], ["return period", "PGA [g]"]]
-        {
-            let said = of(heading, "pga", None).unwrap_err();
-            assert!(said.contains("the levels come first"), "{said}");
-        }
-    }
-
-    /// The page names every word that is read.
-    #[test]
-    fn the_page_has_the_lists() {
-        let page = include_str!("../../../../docs/fragility.md");
-        let units = [&ACCELERATIONS[..], &VELOCITIES, &RATIOS].concat();
-        let units = units.iter().flat_map(|(_, name, _)| name.split('|'));
-        let names = MEASURES.iter().flat_map(|(_, names)| names.split('|'));
-        let lists =
-            [ANY, ACCELERATION_NAMES, RATES, PER_YEAR, PERIODS, YEARS, COMPONENTS, "gal|-|5%"];
-        for word in units.chain(names).chain(lists.iter().flat_map(|list| list.split('|'))) {
-            assert!(page.contains(&format!("`{word}`")), "{word}");
-        }
-    }
 }

@@ -14,7 +14,7 @@ const UNRESOLVED: u8 = Class::Unresolved as u8;
 
 /// What is summed up of a block.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Sums {
+pub struct Sums {
     pub(super) entropy: f64,
     pub(super) boxes: f64,
     pub(super) boundary: f64,
@@ -58,7 +58,7 @@ pub(super) fn classes(outcomes: &dyn Outcomes, cells: Range<usize>) -> io::Resul
 }
 
 /// The sums of the blocks of a slice; `read` gives the classes of some of its rows.
-pub(super) fn sums(
+pub fn sums(
     (columns, rows): (usize, usize),
     [wide, high]: [usize; 2],
     distances: &[usize],

@@ -8,8 +8,8 @@
 //! outcome another has at a distance of a given number of cells along an axis is proportional to the distance to the power
 //! alpha, and the boundary's dimension is D = d - alpha over d axes.
 
-mod blocks;
-mod figures;
+pub mod blocks;
+pub mod figures;
 
 use std::io;
 use std::ops::Range;
@@ -28,7 +28,7 @@ use blocks::{classes, sums};
 use figures::of_blocks;
 
 /// Cells of a box along an axis.
-const BOX: usize = 5;
+pub const BOX: usize = 5;
 /// The largest distance is at most this share of the shorter axis, and at most a given number of cells.
 const FARTHEST: (usize, usize) = (8, 32);
 

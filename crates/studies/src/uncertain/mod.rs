@@ -7,9 +7,9 @@
 //! ```
 
 pub(crate) mod ensemble;
-pub(crate) mod indices;
-pub(crate) mod pixel;
-pub(crate) mod points;
+pub mod indices;
+pub mod pixel;
+pub mod points;
 pub mod probability;
 pub(crate) mod varied;
 

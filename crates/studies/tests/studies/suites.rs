@@ -1,5 +1,13 @@
 //! Suites of records: what belongs together, what is missing, and intensity measures against another program.
 
+mod columns;
+mod falling;
+mod names;
+mod processing;
+mod reserve;
+mod shown;
+mod spectrum;
+
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use std::fs;

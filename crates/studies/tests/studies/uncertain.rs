@@ -1,5 +1,11 @@
 //! What is not known: probabilities over distributions and pixels, and how sharp boundaries are.
 
+mod ensemble;
+mod indices;
+mod pixel;
+mod points;
+mod varied;
+
 use topple::backend::request::BackendRequest;
 use topple::results::columns::Column;
 use topple::scene::{Grid, Parameter, Range, Scene, Values};
@@ -8,9 +14,15 @@ use topple::sweep::run::sweep;
 use topple::sweep::settings::{RunSettings, VerifySettings};
 use topple::work::observer::Unwatched;
 use topple_studies::Sharpness;
-use topple_studies::uncertain::{Probabilities, Uncertainty};
+use topple_studies::uncertain::points::{shares, values};
+use topple_studies::uncertain::{Probabilities, Uncertainty, Varied};
 
 use crate::common::{scene, synthetic_pair, under};
+
+/// So many points, each with a value of every parameter.
+fn points(varied: &[Varied], samples: usize, seed: u32) -> Vec<Vec<f64>> {
+    shares(varied.len(), samples, seed).iter().map(|shares| values(varied, shares)).collect()
+}
 
 fn settings() -> RunSettings {
     let mut settings = RunSettings::default();

@@ -2,7 +2,7 @@
 
 mod best;
 pub mod request;
-mod reserve;
+pub mod reserve;
 mod table;
 
 pub use best::Best;
