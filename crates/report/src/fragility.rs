@@ -135,7 +135,7 @@ fn beyond(row: &Row) -> String {
 
 /// Whether a rate keeps the target, with all that may be missing at the ends of the hazard curve, and whether the upper end of its
 /// interval does.
-fn judged(row: &Row, target: f64) -> Option<String> {
+pub fn judged(row: &Row, target: f64) -> Option<String> {
     let accepted = format!("the accepted rate, {} a year", number(target));
     Some(match row.get("below_target")?.as_str() {
         "1" => match highest(row) {
@@ -336,31 +336,4 @@ fn in_words(row: &mut Row) {
 fn axes(folder: &Folder) -> Vec<(String, String)> {
     let swept = folder.scene().map(|scene| scene.swept()).unwrap_or_default();
     swept.into_iter().map(|one| (one.key().to_string(), one.entry().label())).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// The estimate, the ends of its interval, and what the hazard curve may leave out are each judged.
-    #[test]
-    fn a_rate_keeps_the_target_surely_or_not() {
-        let told = |rate: &str, high: &str, below: &str| {
-            let missing = ("missing_above", "1.5e-4");
-            let row = [("rate", rate), ("rate_high", high), ("below_target", below), missing];
-            let row = row.into_iter().map(|(a, b)| (a.into(), b.into())).collect();
-            judged(&row, 4.0e-4).unwrap_or_default()
-        };
-        assert!(told("1e-4", "2e-4", "1").ends_with("so does the upper end of its interval."));
-        assert!(told("1e-4", "2e-2", "1").ends_with("it may not be kept."));
-        assert!(told("1e-4", "", "0").ends_with("is not known: the rate has no upper bound."));
-        // A step, or bounds alone.
-        assert!(told("1e-4", "3e-4", "0").starts_with("By the upper end of its interval"));
-        assert!(told("", "3e-4", "0").starts_with("By the upper end of its interval"));
-        assert_eq!(told("5e-4", "6e-4", "0"), "This exceeds the accepted rate, 0.0004 a year.");
-        assert!(
-            told("3e-4", "3.5e-4", "0").starts_with("With what the hazard curve may leave out")
-        );
-        assert_eq!(told("", "", ""), "");
-    }
 }

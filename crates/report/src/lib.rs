@@ -6,16 +6,16 @@
 //! ```
 
 mod along;
-mod block;
+pub mod block;
 mod contents;
-mod document;
+pub mod document;
 mod file;
 mod findings;
 mod folder;
-mod fragility;
-mod html;
+pub mod fragility;
+pub mod html;
 mod print;
-mod summary;
+pub mod summary;
 mod tables;
 
 pub use file::write;

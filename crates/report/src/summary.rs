@@ -109,7 +109,7 @@ fn suite(run: &SuiteRun, rows: &Rows) -> Vec<String> {
 }
 
 /// Which devices of a comparison keep all limits, or else under which the block stands most often; and which has the lowest rate.
-fn devices(rows: &Rows) -> Vec<String> {
+pub fn devices(rows: &Rows) -> Vec<String> {
     let (all, count) = (rows.iter().collect::<Vec<_>>(), rows.len());
     let keeps: Vec<_> =
         rows.iter().filter(|row| row.get("feasible").is_some_and(|is| is == "1")).collect();
@@ -213,59 +213,4 @@ pub fn checked(folder: &Folder) -> String {
 /// Cells that the reference ran again, and those of another outcome.
 fn counts(of: &Verified) -> (usize, usize) {
     (of.sampled as usize, of.differ as usize)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn rows(list: &[[&str; 5]]) -> Rows {
-        let columns = ["device", "feasible", "standing", "reserve", "rate"];
-        let row = |values: &[&str; 5]| {
-            columns.into_iter().zip(*values).map(|(a, b)| (a.into(), b.into())).collect()
-        };
-        list.iter().map(row).collect()
-    }
-
-    /// Devices that are equal are all named, in whichever order they stand.
-    #[test]
-    fn of_equal_devices_none_is_chosen() {
-        let mut list = rows(&[
-            ["bearing", "0", "0.5", "", "4e-4"],
-            ["pendulum, R = 2 m", "0", "0.75", "", ""],
-            ["ropes", "0", "0.75", "", "4e-4"],
-        ]);
-        for _ in 0..2 {
-            let told = devices(&list).join(" ");
-            assert!(
-                told.contains("on pendulum, R = 2 m; ropes: under 75.0 %")
-                    || told.contains("on ropes; pendulum, R = 2 m: under 75.0 %"),
-                "{told}"
-            );
-            assert!(
-                told.contains("computed on bearing; ropes: 0.0004 a year.")
-                    || told.contains("computed on ropes; bearing: 0.0004 a year."),
-                "{told}"
-            );
-            list.reverse();
-        }
-        let told = devices(&rows(&[
-            ["a", "1", "1", "1.5", ""],
-            ["b", "1", "1", "1.5", ""],
-            ["c", "1", "1", "1", ""],
-            ["d", "0", "1", "", ""],
-        ]));
-        assert_eq!(
-            told,
-            [
-                "3 of 4 devices keep all limits: a; b; c.",
-                "a; b keep them up to 1.5 times the motions, the others less."
-            ]
-        );
-        assert_eq!(
-            devices(&rows(&[["a", "0", "0.5", "", "4e-4"]])),
-            ["The device does not keep all limits; the block stands under 50.0 % of the motions."]
-        );
-        assert!(devices(&Rows::new()).is_empty());
-    }
 }
