@@ -1,5 +1,5 @@
 //! Every relative link of the pages leads to a file that exists, and its anchor to a heading of that page; paths of the
-//! code that pages name exist; placeholders stand only where the page for contributors says so.
+//! code that pages name exist; placeholders and tests stand only where the page for contributors says so.
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
 
@@ -193,4 +193,23 @@ fn placeholders_stand_where_the_page_for_contributors_says() {
     said.sort();
     found.sort();
     assert_eq!(found, said);
+}
+
+/// Cargo runs no test in the `src` of these crates: their libraries are no test targets.
+#[test]
+fn tests_of_crates_stand_in_their_folder_tests() {
+    let crates = std::fs::read_dir(root().join("crates")).unwrap();
+    let mut paths: Vec<PathBuf> = crates.map(|own| own.unwrap().path().join("src")).collect();
+    paths.push(root().join("python/src"));
+    let mut files = 0;
+    while let Some(path) = paths.pop() {
+        if path.is_dir() {
+            paths.extend(std::fs::read_dir(&path).unwrap().map(|entry| entry.unwrap().path()));
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
+            let text = std::fs::read_to_string(&path).unwrap();
+            assert!(!text.contains("#[cfg(test)]"), "{}", path.display());
+            files += 1;
+        }
+    }
+    assert!(files > 100, "{files} files");
 }
