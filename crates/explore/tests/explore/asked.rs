@@ -1,24 +1,14 @@
 use topple::model::precision::Precision;
 use topple::scene::Grid;
-use topple_explore::asked::{AskedPrecision, Flat, builder};
+use topple_explore::asked::{AskedPrecision, builder};
 
-fn flat(entries: &[(&str, &str)]) -> Flat {
-    entries.iter().map(|(key, text)| ((*key).into(), (*text).into())).collect()
-}
+use crate::flat;
 
-const SCENE: [(&str, &str); 7] = [
-    ("object", "1"),
-    ("t_h", "1.75"),
-    ("t_v", "0.75"),
-    ("omega", "0.2:15"),
-    ("a_h", "0.1:15:log"),
-    ("x", "omega"),
-    ("y", "a_h"),
-];
+const SCENE: &str = "object=1 t_h=1.75 t_v=0.75 omega=0.2:15 a_h=0.1:15:log";
 
 #[test]
 fn a_scene_goes_to_flat_keys_and_back() {
-    let asked = flat(&SCENE);
+    let asked = flat(SCENE);
     let given = builder(&asked, Some([5, 3])).unwrap();
     let scene = given.check().unwrap();
     assert_eq!(Grid::of(&scene).shape(), (5, 3));
@@ -46,7 +36,7 @@ fn what_is_wrong_names_its_key() {
         ("y", "omega", "other axis"),
         ("x", "width", "no number"),
     ] {
-        let mut asked = flat(&SCENE);
+        let mut asked = flat(SCENE);
         asked.insert(key.into(), text.into());
         let refused = builder(&asked, Some([5, 3])).unwrap_err();
         assert_eq!(refused.key.as_deref(), Some(key), "{refused}");
@@ -61,7 +51,7 @@ fn what_is_wrong_names_its_key() {
 #[test]
 fn a_deep_view_is_computed_in_f64() {
     for (stop, expected) in [("4.1", Precision::F32), ("4.01", Precision::F64)] {
-        let mut asked = flat(&SCENE);
+        let mut asked = flat(SCENE);
         asked.insert("omega".into(), format!("4:{stop}"));
         let grid = |count| Grid::of(&builder(&asked, Some([count, 3])).unwrap().check().unwrap());
         for count in [3, 257, 2049] {

@@ -3,8 +3,9 @@ use std::fs;
 use serde_json::json;
 use topple::results::columns::{ColumnKind, TABLE};
 use topple::results::files::Directory;
-use topple_explore::asked::Flat;
 use topple_explore::export::{COLUMNS, ExportError, earlier, index, scenes, write};
+
+use crate::flat;
 
 #[test]
 fn the_page_says_what_it_may_load() {
@@ -23,14 +24,11 @@ fn stored_columns_are_columns_of_numbers_and_codes() {
 
 #[test]
 fn the_first_stored_map_is_the_first_scenes() {
-    let of = |pairs: &[(&str, &str)]| -> Flat {
-        pairs.iter().map(|(key, text)| ((*key).into(), (*text).into())).collect()
-    };
-    let first = of(&[("isolation", "vertical"), ("t_v", "0.5"), ("omega", "1:2")]);
+    let first = flat("isolation=vertical t_v=0.5 omega=1:2");
     let scenes = scenes(&first);
     assert_eq!(scenes[0].1, first);
     let ground = &scenes.iter().find(|(title, _)| title == "on the ground").unwrap().1;
-    assert_eq!(*ground, of(&[("isolation", "none"), ("omega", "1:2")]));
+    assert_eq!(*ground, flat("isolation=none omega=1:2"));
     assert_eq!(scenes.len(), 4);
 }
 

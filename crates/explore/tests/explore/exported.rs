@@ -34,6 +34,7 @@ use topple_explore::records::Records;
 use topple_explore::session::{Session, Settings};
 
 use crate::common::{all, gpu, synthetic_pair};
+use crate::flat;
 
 /// Scenes as the page asks for them: a name, the keys, and the values of each axis.
 const SCENES: [(&str, &str, [u32; 2]); 28] = [
@@ -118,15 +119,6 @@ const SCENES: [(&str, &str, [u32; 2]); 28] = [
     ),
     ("record", "object=1 eccentricity=0.2 horizontal=synthetic t_h=0.5:4 t_v=0.001:1", [12, 12]),
 ];
-
-/// The keys of a scene's text. Ranges are the axes, in the text's order.
-fn flat(text: &str) -> Flat {
-    let pairs: Vec<(&str, &str)> =
-        text.split(' ').filter_map(|pair| pair.split_once('=')).collect();
-    let axes = pairs.iter().filter(|(_, value)| value.contains(':')).map(|(key, _)| *key);
-    let named = ["x", "y"].into_iter().zip(axes);
-    pairs.iter().copied().chain(named).map(|(key, value)| (key.into(), value.into())).collect()
-}
 
 fn words<T: bytemuck::Pod>(items: &[T]) -> Vec<u32> {
     bytemuck::pod_collect_to_vec(items)

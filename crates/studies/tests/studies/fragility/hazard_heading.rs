@@ -100,85 +100,36 @@ fn other_measures_periods_and_units_are_refused() {
 
 #[test]
 fn names_of_rates_are_of_a_list() {
-    for heading in [
-        "rate",
-        "Rate [1/yr]",
-        "annual rate",
-        "Annual rate of exceedance (1/year)",
-        "annual_frequency_of_exceedance",
-        "Mean annual frequency of exceedance [1/a]",
-        "annual exceedance frequency",
-        "exceedance rate, per year",
-        "rate/yr",
-        "rate [yr⁻¹]",
-        "rate (yr^-1)",
-        "lambda",
-        "λ [1/a]",
-        "MAF",
-        "MAFE",
-        "AFE",
-        "exceedances per year",
-        "events/year",
-        "MRE",
-        "rate (1/y)",
-        "Annual Frequency of Exceedence",
-    ] {
+    let headings = "rate|Rate [1/yr]|annual rate|Annual rate of exceedance (1/year)|\
+        annual_frequency_of_exceedance|Mean annual frequency of exceedance [1/a]|\
+        annual exceedance frequency|exceedance rate, per year|rate/yr|rate [yr⁻¹]|\
+        rate (yr^-1)|lambda|λ [1/a]|MAF|MAFE|AFE|exceedances per year|events/year|MRE|\
+        rate (1/y)|Annual Frequency of Exceedence";
+    for heading in headings.split('|') {
         let said = of(["PGA [g]", heading], "pga", None).map(|said| said.rates);
         assert_eq!(said, Ok(Rates::Annual), "{heading}");
     }
-    for heading in [
-        "Return period",
-        "return period [years]",
-        "T_R [yr]",
-        "TR",
-        "rp",
-        "Mean recurrence interval (a)",
-    ] {
+    let headings =
+        "Return period|return period [years]|T_R [yr]|TR|rp|Mean recurrence interval (a)";
+    for heading in headings.split('|') {
         let said = of(["PGA [g]", heading], "pga", None).map(|said| said.rates);
         assert_eq!(said, Ok(Rates::Periods), "{heading}");
     }
-    for heading in [
-        "exceedance (50 years)",
-        "Exceedance in 50 yr [%]",
-        "50-year-probability",
-        "PE50",
-        "PoE50",
-        "PE",
-        "poe",
-        "rate in 50 years",
-        "rate [1/50yr]",
-        "annual rate [%]",
-        "probability of exceedance in 50 years",
-        "annual probability of exceedance",
-        "APE",
-        "rate per day",
-        "rate [1/month]",
-        "rate per decade",
-        "probabilidad anual",
-        "Überschreitungswahrscheinlichkeit",
-        "P(PGA > x)",
-        "return period [days]",
-        "return period [%]",
-        "rate x 1000",
-        "10^-4 1/yr",
-        "number of events in 475 years",
-    ] {
+    let headings = "exceedance (50 years)|Exceedance in 50 yr [%]|50-year-probability|PE50|PoE50|PE|\
+        poe|rate in 50 years|rate [1/50yr]|annual rate [%]|\
+        probability of exceedance in 50 years|annual probability of exceedance|APE|\
+        rate per day|rate [1/month]|rate per decade|probabilidad anual|\
+        Überschreitungswahrscheinlichkeit|P(PGA > x)|return period [days]|\
+        return period [%]|rate x 1000|10^-4 1/yr|number of events in 475 years";
+    for heading in headings.split('|') {
         for asked in [None, Some(Units::G)] {
             let said = of(["PGA [g]", heading], "pga", asked).unwrap_err();
             assert!(said.contains("says no annual rate of exceedance"), "{heading}: {said}");
         }
     }
     // With the unit of the levels given, the names of levels of no list are not judged, those of the rates are.
-    for heading in [
-        "x",
-        "hazard",
-        "exceedances",
-        "frequenza annua",
-        "超過確率",
-        "chance",
-        "daily rate",
-        "T [Jahre]",
-    ] {
+    let headings = "x|hazard|exceedances|frequenza annua|超過確率|chance|daily rate|T [Jahre]";
+    for heading in headings.split('|') {
         for asked in [None, Some(Units::G)] {
             assert!(of(["PGA [g]", heading], "pga", asked).is_err(), "{heading}");
         }
