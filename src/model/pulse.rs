@@ -97,9 +97,9 @@ impl Shape {
 /// The two numbers of a cell that define the wave of Mavroeidis & Papageorgiou.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Modulation {
-    /// See [`Cell::envelope`].
+    /// See [`Drive::envelope`](super::excitation::Drive::envelope).
     pub envelope: f64,
-    /// See [`Cell::carrier`].
+    /// See [`Drive::carrier`](super::excitation::Drive::carrier).
     pub carrier: f64,
 }
 

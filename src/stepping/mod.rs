@@ -7,9 +7,9 @@
 //! further trials finds its time, starting from a [`cubic`] through the ends of the span; then the phase changes
 //! ([`switching`]). [`extremes`] record the largest and least values of a span, the [`certificate`] ends cells whose
 //! results are all final, and [`early_rest`] brings blocks to rest whose last flights exceed no value so far. Each of
-//! these files is the twin of the shader of its name. Blocks that stand on bases that do not yield have no guard:
-//! their step is [`standing`], and [`spans`] hold the contact forces of the motions that cells share. Under a record the lanes are sorted by [`phases`], and blocks that stand take
-//! [long steps](long_step); the shader does without.
+//! these files is the twin of the shader of its name. [`spans`] hold the contact forces of the motions that cells share.
+//! Under a record the lanes are sorted by [`phases`], and blocks that stand take [long steps](long_step); the shader does
+//! without.
 
 pub mod certificate;
 pub(crate) mod crossing;
