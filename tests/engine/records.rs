@@ -113,7 +113,7 @@ fn what_is_no_record_is_refused_with_its_line() {
     refused(
         AT2,
         &hints(None, Some(Units::MetresPerSecondSquared)),
-        "the file's units are g, `units` says m/s2; leave `units` out",
+        "the file's units are g, `units` says m/s2; leave `units` out, or correct the file",
     );
     assert!(read::bytes(AT2.as_bytes(), &hints(None, Some(Units::G))).is_ok());
     let metres = hints(Some(0.01), Some(Units::MetresPerSecondSquared));

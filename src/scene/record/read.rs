@@ -10,7 +10,7 @@ use super::packed;
 use super::provenance::sha256;
 use super::steps::SHORTEST_STEP;
 use super::text::{self, LARGEST, SMALL, printable};
-use super::{Raw, Record, RecordError, RecordFile, Stated, Step, Units, missing};
+use super::{Raw, Record, RecordError, RecordFile, Stated, Step, Units, missing, rounded};
 use super::{afad, at2, bbp, columns, cosmos, csmip, esm, fdsn, geonet, knet, sac, smc};
 use crate::scene::shown::shown;
 use crate::scene::{GRAVITY, bounded};
@@ -184,11 +184,16 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> 
         return Err(RecordError::whole(format!("a time step of {dt} s is no record's{hint}")));
     }
     let units = units.map(|(line, words)| known_units(line, &words)).transpose()?;
+    let right = match units {
+        Some(_) => "correct the units in the file",
+        None => "give the right `units`",
+    };
     let units = match (units, hints.units) {
         (Some(read), Some(given)) if read != given => {
             let (read, given) = (read.key(), given.key());
-            let problem =
-                format!("the file's units are {read}, `units` says {given}; leave `units` out");
+            let problem = format!(
+                "the file's units are {read}, `units` says {given}; leave `units` out, or correct the file"
+            );
             return Err(RecordError::whole(problem));
         }
         (Some(units), _) | (None, Some(units)) => units,
@@ -212,9 +217,9 @@ fn check(raw: Raw, hints: &RecordHints) -> Result<(Record, Units), RecordError> 
     }
     if !hints.scaled && !PLAUSIBLE.contains(&peak) {
         let problem = format!(
-            "a peak of {peak:.3e} g is not plausible for an acceleration in these units; give the \
-             right `units` (or another file, if this is velocity or displacement), or scale it to a \
-             known peak by `pga`"
+            "a peak of {} g is not plausible for an acceleration in these units; {right} (or give another file, if this \
+             is velocity or displacement), or scale it to a known peak by `pga`",
+            rounded(peak, 4)
         );
         return Err(RecordError::whole(problem));
     }

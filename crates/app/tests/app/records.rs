@@ -36,7 +36,7 @@ fn a_history_says_what_was_made_of_a_sign() {
     assert!(said.contains("vertical: positive down by its file: turned over"), "{said}");
     write("v.txt", "# polarity: reversed\nTime (s) UD (m/s2)", 2.0);
     let said = room.refused(&line);
-    let doubt = "v.txt: line 1: 'polarity: reversed' may tell a sign or a factor";
+    let doubt = "v.txt: line 1: 'polarity: reversed': 'polarity' may tell a sign or a factor";
     assert!(said.contains(doubt) && said.trim_end().ends_with("--force accepts it"), "{said}");
     room.run(&format!("{line} --force"));
 }

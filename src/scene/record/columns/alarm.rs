@@ -80,6 +80,18 @@ fn without_others(text: &str) -> String {
     OTHERS.iter().fold(lower(text), |text, other| text.replace(other, " "))
 }
 
+/// The word of a text that tells it, if one does and not a mark.
+pub(super) fn word(text: &str) -> Option<String> {
+    let text = without_others(&without_units(text));
+    let tells = |word: &&str| {
+        let begins = BEGINNINGS.split_ascii_whitespace().any(|one| word.starts_with(one));
+        begins
+            || glued(word).is_some()
+            || [WHOLE, DOWN, BESIDE_AXIS, OF_NAMES].iter().any(|list| listed(list, word))
+    };
+    words(&text).find(tells).map(String::from)
+}
+
 fn is_in(text: &str, known: Option<Component>, is_name: bool) -> bool {
     let mut text = without_others(&without_units(text));
     // Units have marks of products.
@@ -170,11 +182,11 @@ fn is_product(shape: &str, of_sign: bool, is_name: bool) -> bool {
     let has = |patterns: &[&str]| patterns.iter().any(|one| bare.contains(one));
     // A letter and its number are the name of a channel: X1.
     let times = has(&["x1", "x0", "x-"]) || tight.contains("(x2") || shape.contains(" x 2");
-    has(&["*", "\u{d7}", "\u{f7}", "a/1", "a/0", "f=", "f:", "f1", "f2", "f0"])
+    has(&["*", "1x", "0x", "\u{d7}", "\u{f7}", "a/1", "a/0", "f=", "f:", "f1", "f2", "f0"])
         || has(&["+a", "+u", "u=-", "u=+", "u:-", "u:+"])
         || times
         || of_sign && has_sign(shape, is_name)
-        || is_name && has(&["^", "1x", "2x", "0x", "a/2", "2/1", "2:1", "2:0", "0"])
+        || is_name && has(&["^", "2x", "a/2", "2/1", "2:1", "2:0", "0"])
 }
 
 /// True of a shape with a `-` that is a sign: before a word, or a number where those count, and apart from what stands

@@ -20,12 +20,13 @@ const UP: &str = "up upward upwards";
 const DOWN: &str = "down downward downwards dwn dn";
 const POSITIVE: &str = "positive pos plus polarity convention";
 const POINTS: &str = "points pointing directed oriented";
-const SYSTEM: &str = "axes components component channels channel";
+const SYSTEM: &str = "axes components channels channel";
 /// Words of a vertical, without its sign.
 pub(super) const VERTICAL: &str = "vertical vert ver z ud hnz hlz bnz";
 /// Words that change nothing in a phrase.
 const FILLING: &str = "\
-    is are sense and the of for ve direction axis motion acceleration accelerations values to towards time t";
+    is are sense and the of for ve direction directions axis component comp motion ground record acceleration accelerations \
+    values ns ew to towards time t";
 
 /// What a line says: `positive north, east, down`, `polarity: up`, `+ down`, `Z axis points down`, `vertical down`,
 /// `components: N, E, D`.
@@ -64,7 +65,7 @@ pub(super) fn words(text: &str) -> impl Iterator<Item = &str> {
 
 fn ways(text: &str) -> Option<Ways> {
     let plus = text.contains(['+', '\u{ff0b}', '\u{fe62}']);
-    let text = lower(text).replace('+', " positive ");
+    let text = lower(text).replace('+', " positive ").replace("sign convention", "convention");
     let text = text.trim_matches(['.', '"', ' ']);
     let chars: Vec<char> = text.chars().collect();
     let is_letter = |at: Option<&char>| at.is_some_and(|c| c.is_alphabetic());

@@ -50,8 +50,9 @@ impl Signs {
         line: &str,
         direction: Option<Component>,
     ) -> Result<(), RecordError> {
-        // A list begins its lines with a dash.
+        // A list begins its lines with a dash, a banner stands between asterisks.
         let line = line.trim_start_matches("- ");
+        let line = if line.contains("**") { line.trim_matches(['*', ' ']) } else { line };
         let ways = match meaning::lone_column(line) {
             Some(name) => {
                 let component = directions::of_column(&name);
@@ -105,14 +106,20 @@ impl Signs {
         raw: &mut Raw,
         as_vertical: bool,
         force: bool,
-    ) -> Result<Option<String>, RecordError> {
-        if let (Some((at, words)), false) = (self.alarms.first(), force) {
-            let problem = format!(
-                "'{}' may tell a sign or a factor, and is not read; write 'positive up' or 'positive down', or take it out \
-                 once the values have the factor; {ACCEPTED}",
-                shown(words)
-            );
-            return Err(RecordError::line(*at, problem));
+    ) -> Result<Vec<String>, RecordError> {
+        let mut notes = Vec::new();
+        for (at, text) in &self.alarms {
+            let word = alarm::word(text).map(|word| format!(": '{word}'")).unwrap_or_default();
+            let problem =
+                format!("'{}'{word} may tell a sign or a factor, and is not read", shown(text));
+            if !force {
+                let problem = format!(
+                    "{problem}; take it out if the values have it already, else apply it to them; the way that is positive \
+                     is read where it stands alone, as in '# positive up'; {ACCEPTED}"
+                );
+                return Err(RecordError::line(*at, problem));
+            }
+            notes.push(format!("line {at}: {problem}: the values are taken as they stand"));
         }
         let stated = &mut raw.stated;
         // A horizontal component has no such way, and that up is positive says nothing of which component it is.
@@ -124,10 +131,10 @@ impl Signs {
             (Some((_, way)), _) => stated.component = Some(way),
         }
         let is_vertical = stated.component.is_some_and(Component::is_vertical);
-        let Some((at, ways)) = self.towards.filter(|_| !is_vertical) else { return Ok(None) };
+        let Some((at, ways)) = self.towards.filter(|_| !is_vertical) else { return Ok(notes) };
         let (own, azimuth) = (stated.azimuth, directions::azimuth_by_ways(stated.azimuth, &ways));
         stated.azimuth = azimuth.or(own);
-        Ok(match (own, azimuth) {
+        notes.extend(match (own, azimuth) {
             (Some(own), None) => Some(format!(
                 "line {at} calls another way positive than the {own} degrees of the component, which are taken"
             )),
@@ -135,6 +142,7 @@ impl Signs {
                 Some(format!("line {at} calls {azimuth} degrees from north over east positive"))
             }
             _ => None,
-        })
+        });
+        Ok(notes)
     }
 }

@@ -94,7 +94,8 @@ fn a_comment_is_read_or_refused_or_a_title() {
              +ve down | + down | Z axis points down | Vertical (down) | positive vertical: down | \
              Vertical acceleration, positive-downwards | positive north, east, down | positive N,E,D | N, E, D positive | \
              North, east and down are positive | x axis points north, z axis points down | sense: down | axes: NED | \
-             components: north, east, down",
+             components: north, east, down | Vertical component, positive down | Sign convention: positive downwards | \
+             Vertical record (positive down) | ** vertical, positive down **",
         ),
         (
             "",
@@ -103,7 +104,8 @@ fn a_comment_is_read_or_refused_or_a_title() {
              Depth: 10 km | M=6.9 | filter: 0.1-25 Hz | Lat: -34.5, Lon: 118.2 W | PGA = -0.35 g | 10/15/1979 23:16 | \
              reverse-oblique fault | - component: vertical | ----- UD ----- | channel: 3 | again 3 | multiplexed 4 | \
              Vertical; down-sampled to 100 Hz | Up-Down (m/s2) | vertical up-down | HNX -1 | \
-             m/s**2 | cm*s-2 | Vs30 = 250 m/s | X 1 | at 2 Hz | pre- and post-event | Kobe - UD | units: m/s2",
+             m/s**2 | cm*s-2 | Vs30 = 250 m/s | X 1 | at 2 Hz | pre- and post-event | Kobe - UD | units: m/s2 | \
+             Vertical component, positive upwards | *** El Centro *** | ********",
         ),
         (
             "refused",
@@ -131,7 +133,7 @@ fn a_comment_is_read_or_refused_or_a_title() {
              mult: 2 | scaled to 50% | scale factor: 1 | full scale: 2 g | gain 0 dB | at times 2 s | reduced data 2010 | \
              filter: 0.1-25 Hz x 2 passes | two passes (x 2) | 2 x 2 array | Richter scale: 6.9 | damping factor 0.05 | \
              Q factor 30 | scaled to PGA 0.4 g | scale 1:10 | amplification at 2 Hz | UD times -1 | Z: 4000 points up to 40 s | site: upside farm | \
-             downloaded from www.x.org/down",
+             downloaded from www.x.org/down | 1.5 x El Centro",
         ),
     ] {
         for comment in comments.split(" | ") {
@@ -170,9 +172,10 @@ fn a_factor_in_the_name_of_a_column_is_refused() {
 fn what_is_not_read_is_accepted_by_force_as_it_stands() {
     for heading in ["# polarity: reversed\nTime (s), UD (m/s2)", "Time (s), Z*-1 (m/s2)"] {
         let why = record(heading, true, false).unwrap_err();
-        assert!(why.contains("write 'positive up' or 'positive down'"), "{why}");
+        assert!(why.contains("stands alone, as in '# positive up'"), "{why}");
         assert!(why.ends_with("`force` accepts it"), "{why}");
         let record = record(heading, true, true).unwrap();
+        assert!(record.notes.iter().any(|note| note.contains(REFUSED)), "{:?}", record.notes);
         let stands = (record.stated.component, record.samples[1]);
         assert_eq!(stands, (Some(Component::Up), 0.25074), "{heading}");
     }
@@ -224,6 +227,7 @@ fn the_sign_of_a_horizontal_component_is_read_or_refused() {
         ("Time (s), NS (to south) (m/s2)", 180.0, true),
         ("Time (s), NS (South Hall) (m/s2)", 0.0, false),
         ("# positive S, W, U\nTime (s), NS (m/s2)", 180.0, true),
+        ("# NS component, positive south\nTime (s), NS (m/s2)", 180.0, true),
         ("Time, NS (positive south) (m/s2), UD (m/s2)", 180.0, true),
         ("# positive N, E, D\nTime (s), NS (positive south) (m/s2)", 180.0, true),
         ("Time (s), N0E (positive south) (m/s2)", 180.0, true),
