@@ -66,7 +66,8 @@ fn differ(place: &str, there: &Value, here: &Value, free: &[&str]) -> Option<Str
             .find_map(|key| differ(&deeper(key), &of(a, key.as_str()), &of(b, key.as_str()), &[]));
     }
     let differs = there != here;
-    if there.is_array() || here.is_array() {
+    let is_long = |value: &Value| value.is_array() || value.is_object();
+    if is_long(there) || is_long(here) {
         return differs.then(|| format!("{place} are others there"));
     }
     differs.then(|| format!("{place} is {there} there and {here} here"))

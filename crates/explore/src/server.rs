@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use hyper::server::conn::http1;
 use hyper::service::service_fn;
-use hyper_util::rt::TokioIo;
+use hyper_util::rt::{TokioIo, TokioTimer};
 
 use super::ending;
 use super::guard::{NoToken, Token};
@@ -102,6 +102,9 @@ async fn accept(listener: tokio::net::TcpListener, shared: Arc<Shared>) {
         };
         let shared = Arc::clone(&shared);
         let service = service_fn(move |request| answer(Arc::clone(&shared), request));
-        tokio::spawn(http1::Builder::new().serve_connection(TokioIo::new(stream), service));
+        // With a timer a header that does not end is given up after half a minute.
+        let mut connection = http1::Builder::new();
+        connection.timer(TokioTimer::new());
+        tokio::spawn(connection.serve_connection(TokioIo::new(stream), service));
     }
 }

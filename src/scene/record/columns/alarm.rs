@@ -9,12 +9,12 @@ use super::words::{direction, in_brackets, listed, lower, tokens, without_units}
 /// How words begin that tell it anywhere.
 const BEGINNINGS: &str = "\
     invert invers umgekehrt reversed reversal flipp negat positiv polarit upside mirror swapped opposite backward scal \
-    skal escala factor multipli multiply amplif attenuat magnif divid normali";
+    skal escala factor facteur downacc downwardacc earthward multipli multiply amplif attenuat magnif divid normali";
 
 /// Whole words that tell it anywhere.
 const WHOLE: &str = "\
     sign signs pos plus neg minus flip convention gain gains increased reduced doubled tripled halved mult div \
-    calibration conversion lsb";
+    calibration conversion lsb unten bas ned nwd sed swd wsd esd wnd frd";
 
 /// Whole words of a vertical that is positive down.
 const DOWN: &str = "down downward downwards dwn dn";
@@ -105,9 +105,13 @@ fn is_in(text: &str, known: Option<Component>, is_name: bool) -> bool {
     let of_axis = is_name || has(VERTICAL) || has("axis ns ew");
     let of_sign = of_axis || has("up") || known.is_some_and(Component::is_vertical);
     let is_up = known == Some(Component::Up) && is_name;
+    // Letters of three ways, of which d is down; END is no word beside axes.
+    let of_three = has("n s") && has("e w") || has(VERTICAL) || has("components component");
+    let of_system = has("axes frame system coordinates components channels order orientation");
+    let is_d = has("d") && of_three || has("end") && of_system;
     let beside_axis = |word: &str| listed(BESIDE_AXIS, word) && !(is_up && word.starts_with("up"));
     words(&text).any(|word| begins(word) || listed(WHOLE, word) || glued(word).is_some())
-        || known != Some(Component::Down) && has(DOWN)
+        || known != Some(Component::Down) && (is_d || has(DOWN))
         || of_axis && words(&text).any(beside_axis)
         || words(&text).next() == Some("dip")
         || has("points pointing directed") && has("ground earth gravity")

@@ -20,7 +20,8 @@ const UP: &str = "up upward upwards";
 const DOWN: &str = "down downward downwards dwn dn";
 const POSITIVE: &str = "positive pos plus polarity convention";
 const POINTS: &str = "points pointing directed oriented";
-const SYSTEM: &str = "axes components channels channel";
+const SYSTEM: &str = "\
+    axes components channels channel columns frame coordinate coordinates system order orientation reference in";
 /// Words of a vertical, without its sign.
 pub(super) const VERTICAL: &str = "vertical vert ver z ud hnz hlz bnz";
 /// Words that change nothing in a phrase.

@@ -95,7 +95,8 @@ fn a_comment_is_read_or_refused_or_a_title() {
              Vertical acceleration, positive-downwards | positive north, east, down | positive N,E,D | N, E, D positive | \
              North, east and down are positive | x axis points north, z axis points down | sense: down | axes: NED | \
              components: north, east, down | Vertical component, positive down | Sign convention: positive downwards | \
-             Vertical record (positive down) | ** vertical, positive down **",
+             Vertical record (positive down) | ** vertical, positive down ** | \
+             frame: NED | coordinate system: NED | NED coordinates | channel order: N, E, D | orientation: NED",
         ),
         (
             "",
@@ -133,7 +134,8 @@ fn a_comment_is_read_or_refused_or_a_title() {
              mult: 2 | scaled to 50% | scale factor: 1 | full scale: 2 g | gain 0 dB | at times 2 s | reduced data 2010 | \
              filter: 0.1-25 Hz x 2 passes | two passes (x 2) | 2 x 2 array | Richter scale: 6.9 | damping factor 0.05 | \
              Q factor 30 | scaled to PGA 0.4 g | scale 1:10 | amplification at 2 Hz | UD times -1 | Z: 4000 points up to 40 s | site: upside farm | \
-             downloaded from www.x.org/down | 1.5 x El Centro",
+             downloaded from www.x.org/down | 1.5 x El Centro | \
+             local NED frame | N/E/D | x=N, y=E, z=D | (x,y,z) = (N,E,D) | axes: XYZ = NED | axes: END | z: D | axes: SWD | FRD",
         ),
     ] {
         for comment in comments.split(" | ") {
