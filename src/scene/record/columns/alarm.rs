@@ -83,13 +83,15 @@ fn without_others(text: &str) -> String {
 /// The word of a text that tells it, if one does and not a mark.
 pub(super) fn word(text: &str) -> Option<String> {
     let text = without_others(&without_units(text));
-    let tells = |word: &&str| {
-        let begins = BEGINNINGS.split_ascii_whitespace().any(|one| word.starts_with(one));
-        begins
-            || glued(word).is_some()
-            || [WHOLE, DOWN, BESIDE_AXIS, OF_NAMES].iter().any(|list| listed(list, word))
-    };
-    words(&text).find(tells).map(String::from)
+    let beside = |word| [DOWN, BESIDE_AXIS, OF_NAMES].iter().any(|list| listed(list, word));
+    words(&text).find(|word| tells(word) || beside(word)).map(String::from)
+}
+
+/// True of a word that tells it anywhere.
+fn tells(word: &str) -> bool {
+    BEGINNINGS.split_ascii_whitespace().any(|one| word.starts_with(one))
+        || listed(WHOLE, word)
+        || glued(word).is_some()
 }
 
 fn is_in(text: &str, known: Option<Component>, is_name: bool) -> bool {
@@ -101,7 +103,6 @@ fn is_in(text: &str, known: Option<Component>, is_name: bool) -> bool {
         text = text.replace(unit.as_str(), " ");
     }
     let has = |list: &str| words(&text).any(|word| listed(list, word));
-    let begins = |word: &str| BEGINNINGS.split_ascii_whitespace().any(|one| word.starts_with(one));
     let of_axis = is_name || has(VERTICAL) || has("axis ns ew");
     let of_sign = of_axis || has("up") || known.is_some_and(Component::is_vertical);
     let is_up = known == Some(Component::Up) && is_name;
@@ -110,7 +111,7 @@ fn is_in(text: &str, known: Option<Component>, is_name: bool) -> bool {
     let of_system = has("axes frame system coordinates components channels order orientation");
     let is_d = has("d") && of_three || has("end") && of_system;
     let beside_axis = |word: &str| listed(BESIDE_AXIS, word) && !(is_up && word.starts_with("up"));
-    words(&text).any(|word| begins(word) || listed(WHOLE, word) || glued(word).is_some())
+    words(&text).any(tells)
         || known != Some(Component::Down) && (is_d || has(DOWN))
         || of_axis && words(&text).any(beside_axis)
         || words(&text).next() == Some("dip")
