@@ -17,13 +17,16 @@ use topple::Written;
 use topple::backend::gpu::opened::Gpu;
 use topple::backend::gpu::tile::{OwnClocks, Tile};
 use topple::backend::gpu::{adapter, outcomes};
+use topple::backend::sink::Sink;
+use topple::cells::cell_list::CellList;
 use topple::cells::cell_tables::CellTables;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::cells::ready::Cells;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
-use topple::results::block::Block;
+use topple::results::collector::OutcomeCollector;
+use topple::results::column_set::ColumnSet;
 use topple::scene::record::synthetic;
 use topple::scene::{self, Grid, Parameter, Scene};
 use topple::stepping::state::{FINISHED, State};
@@ -73,15 +76,15 @@ fn tiles_of(cells: usize) -> impl Iterator<Item = Range<usize>> {
 fn measure<R: Real>(name: &str, precision: Precision, scene: &Scene, gpu: Option<&Gpu>) {
     let plan = Plan::new(scene, DEFAULT_STEP).unwrap().at(precision);
     let grid = Grid::of(scene);
-    let all: Vec<usize> = (0..grid.len()).collect();
+    let all = CellList::from(0..grid.len());
     let record = plan.record();
-    let cells = Cells::<R>::of(&plan, &grid, &all, &record, &Unwatched);
+    let cells = Cells::<R>::of(&plan, &grid, all, &record, &Unwatched);
     let tables = each(all.len(), || {
-        black_box(CellTables::<R>::of(&plan, &grid, &all));
+        black_box(CellTables::<R>::of(&plan, &grid, all));
     });
     let tiles = each(all.len(), || {
         for tile in tiles_of(all.len()) {
-            black_box(Tile::default().place(grid.shape().0, &all[tile.clone()]));
+            black_box(Tile::default().place(grid.shape().0, all.part(tile.clone())));
             black_box(OwnClocks::of(&cells.tables, tile));
         }
     });
@@ -105,12 +108,12 @@ fn measure<R: Real>(name: &str, precision: Precision, scene: &Scene, gpu: Option
             gpu.wait(None).unwrap();
         });
     }
-    let states: Vec<State<R>> = all
-        .par_iter()
-        .map(|&index| State { status: FINISHED, uplifts: 1, ..cells.begin(index).1 })
+    let states: Vec<State<R>> = (0..all.len())
+        .into_par_iter()
+        .map(|index| State { status: FINISHED, uplifts: 1, ..cells.begin(index).1 })
         .collect();
     let begin = each(all.len(), || {
-        let states = all.par_iter().map(|&index| cells.begin(index));
+        let states = (0..all.len()).into_par_iter().map(|index| cells.begin(index));
         let (made, states): (Vec<_>, Vec<_>) = states.unzip();
         black_box((made.len(), states.len()));
     });
@@ -118,21 +121,19 @@ fn measure<R: Real>(name: &str, precision: Precision, scene: &Scene, gpu: Option
     let size_of_state = size_of::<State<R>>();
     let clocks: Vec<Option<OwnClocks<R>>> =
         tiles_of(all.len()).map(|tile| OwnClocks::of(&cells.tables, tile)).collect();
-    let read_into = |block: &mut Block| {
+    let read = each(all.len(), || {
+        let columns = ColumnSet::ALL.held();
+        let collector = OutcomeCollector::in_memory(all.len(), precision, columns);
         let tiles = tiles_of(all.len()).zip(bytes.chunks(TILE * size_of_state)).zip(&clocks);
         for ((tile, bytes), own) in tiles {
-            outcomes::read(&cells, tile, own.as_ref(), bytes, block).unwrap();
+            outcomes::read(&cells, tile, own.as_ref(), bytes, Sink::from(0, &collector)).unwrap();
         }
-        black_box(block.len());
-    };
-    let read = each(all.len(), || read_into(&mut Block::pending(all.len(), precision)));
-    // In memory that has been written to before: the system hands out no new pages.
-    let mut used = Block::pending(all.len(), precision);
-    let again = each(all.len(), || read_into(&mut used));
+        black_box(collector.into_block().len());
+    });
     let total = tables + tiles + read + if upload.is_nan() { 0.0 } else { upload };
     println!(
         "{name:<18} {:<4} tables {tables:5.2}  tiles {tiles:5.2}  handed over {upload:5.2} ({:.1} B)  \
-         outcomes {read:5.2} ({again:5.2} in used memory)  together {total:5.2} ns a cell  \
+         outcomes {read:5.2}  together {total:5.2} ns a cell  \
          (cells made by the host: {begin:5.1})",
         precision.key(),
         size as f64 / all.len() as f64,

@@ -2,12 +2,12 @@
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, PoisonError};
 
 use fearless_simd::Level;
 
 use super::cell_run::CellRun;
 use super::order::begin_order;
+use super::sink::{Sink, collected};
 use crate::cells::listing::CellAt;
 use crate::cells::ready::Cells;
 use crate::model::precision::Precision;
@@ -27,13 +27,13 @@ const AT_ONCE: usize = 64;
 
 /// The cells that a thread takes from the queue and the outcomes that it returns, several at a time.
 struct ThreadFeed<'a, R> {
-    run: &'a CellRun<'a>,
+    cells: usize,
+    sink: Sink<'a>,
     observer: &'a dyn Observer,
     all: &'a Cells<'a, R>,
     /// See [`begin_order`]; under a pulse without shared motions the order of the list.
     order: Option<&'a [u32]>,
     queue: &'a AtomicUsize,
-    outcomes: &'a Mutex<Block>,
     taken: Range<usize>,
     /// The outcomes of cells that have ended, and the numbers of these cells.
     ended: Vec<Outcome>,
@@ -41,19 +41,12 @@ struct ThreadFeed<'a, R> {
 }
 
 impl<R: Real> ThreadFeed<'_, R> {
-    /// Stores the outcomes in the order of the cells.
+    /// Hands over the outcomes of cells that have ended.
     fn deliver(&mut self) {
         self.observer.advance(self.ended.len());
-        // If a thread panicked here, it has stored complete outcomes only.
-        let mut outcomes = self.outcomes.lock().unwrap_or_else(PoisonError::into_inner);
-        outcomes.place(&self.numbers, &self.ended);
+        self.sink.put(&self.numbers, &self.ended);
         self.ended.clear();
         self.numbers.clear();
-        if let Some(snapshots) = self.run.snapshots
-            && (snapshots.due)()
-        {
-            (snapshots.take)(outcomes.clone());
-        }
     }
 }
 
@@ -64,9 +57,8 @@ impl<R: Real> Feed<R> for ThreadFeed<'_, R> {
             if self.cancelled() {
                 return None;
             }
-            let count = self.run.cells.len();
-            let from = self.queue.fetch_add(AT_ONCE, Ordering::Relaxed).min(count);
-            self.taken = from..(from + AT_ONCE).min(count);
+            let from = self.queue.fetch_add(AT_ONCE, Ordering::Relaxed).min(self.cells);
+            self.taken = from..(from + AT_ONCE).min(self.cells);
         }
         let place = self.taken.next()?;
         let number = self.order.map_or(place, |order| order[place] as usize);
@@ -94,17 +86,23 @@ impl<R: Real> RecordFeed<R> for ThreadFeed<'_, R> {
     }
 }
 
-/// Runs cells on all cores with the vectors of a level, once each; `observer` is told of cells that are done. The
-/// function is not generic, so that its callers do not compile all kinds of vectors again.
+/// Runs cells on all cores with the vectors of a level, once each, and collects their outcomes; see [`sweep_into`].
 pub fn sweep(run: &CellRun, observer: &dyn Observer, level: Level) -> Block {
+    let into = |sink: Sink| sweep_into(run, sink, observer, level);
+    collected(run.cells.len(), run.precision, into).0
+}
+
+/// Runs cells on all cores with the vectors of a level, once each, and hands over their outcomes; `observer` is told of
+/// cells that are done. The function is not generic, so that its callers do not compile all kinds of vectors again.
+pub fn sweep_into(run: &CellRun, sink: Sink, observer: &dyn Observer, level: Level) {
     match run.precision {
-        Precision::F32 => on_lanes::<f32>(run, observer, level),
-        Precision::F64 => on_lanes::<f64>(run, observer, level),
+        Precision::F32 => on_lanes::<f32>(run, sink, observer, level),
+        Precision::F64 => on_lanes::<f64>(run, sink, observer, level),
     }
 }
 
-fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Block {
-    let CellRun { plan, grid, ref cells, .. } = *run;
+fn on_lanes<R: Real>(run: &CellRun, sink: Sink, observer: &dyn Observer, level: Level) {
+    let CellRun { plan, grid, cells, .. } = *run;
     let record = plan.record::<R>();
     let all = Cells::of(plan, grid, cells, &record, observer);
     let shared = Shared { variant: plan.variant(), models: all.bodies(), record: &record };
@@ -113,16 +111,15 @@ fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Bl
     let order =
         (recorded || motions.is_some()).then(|| begin_order(motions, (grid, cells), substeps));
     let queue = AtomicUsize::new(0);
-    let outcomes = Mutex::new(Block::pending(cells.len(), R::PRECISION));
     install(|| {
         rayon::broadcast(|_| {
             let mut feed = ThreadFeed {
-                run,
+                cells: cells.len(),
+                sink,
                 observer,
                 all: &all,
                 order: order.as_deref(),
                 queue: &queue,
-                outcomes: &outcomes,
                 taken: 0..0,
                 ended: Vec::with_capacity(AT_ONCE),
                 numbers: Vec::with_capacity(AT_ONCE),
@@ -137,14 +134,6 @@ fn on_lanes<R: Real>(run: &CellRun, observer: &dyn Observer, level: Level) -> Bl
             feed.deliver();
         })
     });
-    let outcomes = outcomes.into_inner().unwrap_or_else(PoisonError::into_inner);
-    if observer.cancelled()
-        && let Some(snapshots) = run.snapshots
-    {
-        // The outcomes of cells that are done are kept.
-        (snapshots.take)(outcomes.clone());
-    }
-    outcomes
 }
 
 /// The vector instructions of this machine, the narrowest first: names and levels.

@@ -17,3 +17,4 @@ pub(crate) mod order;
 pub mod ready;
 pub mod report;
 pub mod request;
+pub mod sink;

@@ -5,6 +5,7 @@
 //! row would otherwise read other motions from memory. Under a record cells with short steps take longest. They begin
 //! first, so that the last cells do not keep few lanes busy for long.
 
+use crate::cells::cell_list::CellList;
 use crate::cells::listing::{CellAt, Index};
 use crate::scene::Grid;
 use crate::work::parallel;
@@ -17,11 +18,11 @@ const STRIP: usize = 8;
 /// share any.
 pub fn begin_order(
     motions: Option<&[Index; 2]>,
-    (grid, cells): (&Grid, &[usize]),
+    (grid, cells): (&Grid, CellList),
     substeps: impl Fn(&CellAt) -> u32 + Sync,
 ) -> Vec<u32> {
     let keys: Vec<[u32; 3]> = parallel::each(cells.len(), parallel::LOOKUPS, |number| {
-        let cell = CellAt { number, place: grid.place(cells[number]) };
+        let cell = CellAt { number, place: grid.place(cells.at(number)) };
         let of = motions.map(|of| of.each_ref().map(|motions| motions.of(&cell)));
         let [across, up] = of.unwrap_or_default();
         // The memory limit keeps the motions below 2^32.
@@ -79,7 +80,7 @@ mod tests {
         let grid = Grid::of(&scene);
         let cells: Vec<usize> = (0..grid.len()).filter(|cell| cell % 5 != 3).collect();
         let motions = Cells::<f32>::of(&plan, &grid, &cells, &[], &Unwatched).of_motions.unwrap();
-        let order = begin_order(Some(&motions), (&grid, &cells), |_| 1);
+        let order = begin_order(Some(&motions), (&grid, (&cells).into()), |_| 1);
         let mut sorted = order.clone();
         sorted.sort_unstable();
         assert_eq!(sorted, (0..cells.len() as u32).collect::<Vec<u32>>());
@@ -107,7 +108,7 @@ mod tests {
         let grid = Grid::of(&scene);
         let cells: Vec<usize> = (0..grid.len()).collect();
         let substeps = |cell: &CellAt| 1 + cell.number as u32 % 7;
-        let order = begin_order(None, (&grid, &cells), substeps);
+        let order = begin_order(None, (&grid, (&cells).into()), substeps);
         let powers: Vec<u32> = order.iter().map(|place| (1 + place % 7).ilog2()).collect();
         assert!(powers.is_sorted_by(|one, next| one >= next), "{powers:?}");
         assert_eq!(powers.len(), cells.len());

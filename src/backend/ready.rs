@@ -1,21 +1,20 @@
 //! A backend that is ready to run, of any kind: it makes outcomes of cells.
 
-use std::borrow::Cow;
 use std::time::{Duration, Instant};
 
 use fearless_simd::Level;
 
 use super::backend_error::BackendError;
 use super::by_reference::by_reference;
-use super::cell_run::{CellRun, Snapshots};
+use super::cell_run::CellRun;
 use super::description::AdapterDescription;
 #[cfg(feature = "gpu")]
 use super::gpu::{opened::Gpu, run::Sweeper};
 use super::lanes;
+use super::sink::{Sink, collected};
 use crate::cells::part::Part;
 use crate::model::precision::Precision;
 use crate::results::block::Block;
-use crate::stepping::outcome::{Class, Outcome, Status};
 use crate::stepping::reference::Settings;
 use crate::work::observer::Observer;
 use crate::work::parallel;
@@ -31,16 +30,23 @@ pub enum Backend {
     Reference,
 }
 
-/// The outcomes of cells that have run, and the time that they took.
-pub struct BackendOutcomes {
-    /// The columns of the outcomes, in the order of the cells.
-    pub block: Block,
-    /// The time from the preparation of the first cell to the last outcome in memory.
+/// The time that cells took.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct RunTimes {
+    /// The time from the preparation of the first cell to the last outcome in memory, without that of compiling.
     pub elapsed: Duration,
     /// The time to compile the shader.
     pub compile: Duration,
     /// The time in the shader by the clock of the device, if it has one.
     pub device: Option<Duration>,
+}
+
+/// The outcomes of cells that have run, and the time that they took.
+pub struct BackendOutcomes {
+    /// The columns of the outcomes, in the order of the cells.
+    pub block: Block,
+    /// The time that they took.
+    pub times: RunTimes,
 }
 
 impl Backend {
@@ -64,10 +70,10 @@ impl Backend {
         }
     }
 
-    /// True where the cells of a running batch are passed on as they are done, see [`Snapshots`]: a batch may take
-    /// long.
-    pub fn gives_snapshots(&self) -> bool {
-        matches!(self, Backend::Cpu)
+    /// True where each cell is handed over soon after its end. Others hand over many at once: their batches are to be
+    /// so small that finished cells are saved in time.
+    pub fn hands_over_cells(&self) -> bool {
+        matches!(self, Backend::Cpu | Backend::Reference)
     }
 
     /// One word: gpu, cpu or reference.
@@ -89,47 +95,55 @@ impl Backend {
         }
     }
 
-    /// Runs cells. `observer` is told of each cell that is done, twice where it runs twice. A cell has the same
-    /// outcome as in a run of the whole grid: on the CPU to the last bit.
+    /// Runs cells, and collects their outcomes; see [`Backend::run_into`].
     ///
     /// # Errors
-    /// Any [`BackendError`] of a GPU; that it was cancelled.
+    /// Those of [`Backend::run_into`].
     pub fn run(
         &self,
         run: &CellRun,
         observer: &dyn Observer,
     ) -> Result<BackendOutcomes, BackendError> {
+        let precision = if run.resolve { self.finest(run.precision) } else { run.precision };
+        let into = |sink: Sink| self.run_into(run, sink, observer);
+        let (block, times) = collected(run.cells.len(), self.columns(precision), into);
+        Ok(BackendOutcomes { block, times: times? })
+    }
+
+    /// Runs cells and hands over their outcomes as they end. `observer` is told of each cell that is done, twice where
+    /// it runs twice. A cell has the same outcome as in a run of the whole grid: on the CPU to the last bit.
+    ///
+    /// # Errors
+    /// Any [`BackendError`] of a GPU; that it was cancelled. What was handed over before is right.
+    pub fn run_into(
+        &self,
+        run: &CellRun,
+        sink: Sink,
+        observer: &dyn Observer,
+    ) -> Result<RunTimes, BackendError> {
         match run.resolve {
-            true => self.run_twice(run, observer),
-            false => self.run_once(run, observer),
+            true => self.run_twice(run, sink, observer),
+            false => self.run_once(run, sink, observer),
         }
     }
 
     fn run_once(
         &self,
         run: &CellRun,
+        sink: Sink,
         observer: &dyn Observer,
-    ) -> Result<BackendOutcomes, BackendError> {
-        let (began, count) = (Instant::now(), run.cells.len());
-        let mut times = Times::default();
-        let parts = Part::of(&run.plan.at(run.precision), run.grid, &run.cells);
-        let mut ran = Vec::with_capacity(parts.len());
-        for part in &parts {
-            let take = run.snapshots.map(|to| {
-                move |block| (to.take)(part.scatter_into(count, part.mark_locked(block)))
-            });
-            let snapshots = run.snapshots.zip(take.as_ref());
-            let snapshots = snapshots.map(|(to, take)| Snapshots { due: to.due, take });
-            let cells = part.cells.as_slice().into();
-            let run = CellRun { plan: &part.plan, cells, snapshots, ..*run };
-            ran.push(part.mark_locked(self.run_part(&run, observer, &mut times)?));
+    ) -> Result<RunTimes, BackendError> {
+        let began = Instant::now();
+        let mut times = RunTimes::default();
+        for part in Part::of(&run.plan.at(run.precision), run.grid, run.cells) {
+            let cells = part.cells(run.cells);
+            let run = CellRun { plan: &part.plan, cells, ..*run };
+            self.run_part(&run, sink.of_part(&part), observer, &mut times)?;
         }
         if observer.cancelled() {
             return Err(BackendError::Cancelled);
         }
-        let block = in_order(count, self.columns(run.precision), &parts, ran);
-        let Times { compile, device } = times;
-        Ok(BackendOutcomes { block, elapsed: began.elapsed() - compile, compile, device })
+        Ok(RunTimes { elapsed: began.elapsed() - times.compile, ..times })
     }
 
     /// Runs cells twice, the second time with half the step and, where the backend has it, in f64. A cell is
@@ -137,27 +151,20 @@ impl Backend {
     fn run_twice(
         &self,
         run: &CellRun,
+        sink: Sink,
         observer: &dyn Observer,
-    ) -> Result<BackendOutcomes, BackendError> {
-        let cells = || Cow::from(&*run.cells);
-        // The outcomes of the first run are not passed on.
-        let first = CellRun { cells: cells(), snapshots: None, ..*run };
-        let coarse = self.run_once(&first, observer)?;
-        let resolved = |mut block: Block| {
-            resolve(&mut block, &coarse.block);
-            block
-        };
-        let take = run.snapshots.map(|to| move |block| (to.take)(resolved(block)));
-        let snapshots = run.snapshots.zip(take.as_ref());
-        let snapshots = snapshots.map(|(to, take)| Snapshots { due: to.due, take });
+    ) -> Result<RunTimes, BackendError> {
+        let first = |sink: Sink| self.run_once(run, sink, observer);
+        let (block, coarse) = collected(run.cells.len(), self.columns(run.precision), first);
+        let coarse = coarse?;
         let (plan, precision) = (&run.plan.halved(), self.finest(run.precision));
-        let finer = CellRun { plan, cells: cells(), precision, snapshots, ..*run };
-        let mut fine = self.run_once(&finer, observer)?;
-        resolve(&mut fine.block, &coarse.block);
-        fine.elapsed += coarse.elapsed;
-        fine.compile += coarse.compile;
-        fine.device = fine.device.zip(coarse.device).map(|(fine, coarse)| fine + coarse);
-        Ok(fine)
+        let finer = CellRun { plan, precision, ..*run };
+        let fine = self.run_once(&finer, sink.resolving(&block), observer)?;
+        Ok(RunTimes {
+            elapsed: fine.elapsed + coarse.elapsed,
+            compile: fine.compile + coarse.compile,
+            device: fine.device.zip(coarse.device).map(|(fine, coarse)| fine + coarse),
+        })
     }
 
     /// f64 where the backend has it, else the given number type.
@@ -177,19 +184,18 @@ impl Backend {
     fn run_part(
         &self,
         run: &CellRun,
+        sink: Sink,
         observer: &dyn Observer,
         #[cfg_attr(not(feature = "gpu"), expect(unused_variables, reason = "of a GPU"))]
-        times: &mut Times,
-    ) -> Result<Block, BackendError> {
-        Ok(match self {
-            Backend::Reference => {
-                let outcomes = all_by_reference(run, observer);
-                Block::of_outcomes(&outcomes, self.columns(run.precision))
-            }
-            Backend::Cpu => lanes::sweep(run, observer, Level::new()),
+        times: &mut RunTimes,
+    ) -> Result<(), BackendError> {
+        match self {
+            Backend::Reference => all_by_reference(run, sink, observer),
+            Backend::Cpu => lanes::sweep_into(run, sink, observer, Level::new()),
             #[cfg(feature = "gpu")]
-            Backend::Gpu(gpu) => on_device(gpu, run, observer, times)?,
-        })
+            Backend::Gpu(gpu) => on_device(gpu, run, sink, observer, times)?,
+        }
+        Ok(())
     }
 }
 
@@ -197,71 +203,34 @@ impl Backend {
 fn on_device(
     gpu: &Gpu,
     run: &CellRun,
+    sink: Sink,
     observer: &dyn Observer,
-    times: &mut Times,
-) -> Result<Block, BackendError> {
+    times: &mut RunTimes,
+) -> Result<(), BackendError> {
     let compiling = Instant::now();
     let sweeper = Sweeper::new(gpu, run.precision, run.plan.variant())?;
     times.compile += compiling.elapsed();
-    let CellRun { plan, grid, cells, .. } = run;
-    let (block, time) = match run.precision {
-        Precision::F32 => {
-            let ran = sweeper.sweep::<f32>(plan, grid, cells, observer)?;
-            (ran.block, ran.device)
-        }
-        Precision::F64 => {
-            let ran = sweeper.sweep::<f64>(plan, grid, cells, observer)?;
-            (ran.block, ran.device)
-        }
+    let CellRun { plan, grid, cells, .. } = *run;
+    let device = match run.precision {
+        Precision::F32 => sweeper.sweep_into::<f32>(plan, grid, cells, sink, observer)?.device,
+        Precision::F64 => sweeper.sweep_into::<f64>(plan, grid, cells, sink, observer)?.device,
     };
-    if let Some(time) = time {
-        times.device = Some(times.device.unwrap_or_default() + time);
+    if let Some(device) = device {
+        times.device = Some(times.device.unwrap_or_default() + device);
     }
-    Ok(block)
+    Ok(())
 }
 
-/// The time that the parts of a sweep took of a GPU.
-#[derive(Default)]
-struct Times {
-    /// The time to compile shaders.
-    compile: Duration,
-    /// The time in shaders by the clock of the device, if it has one.
-    device: Option<Duration>,
-}
-
-/// The outcomes of the cells of all parts, in the order of the list of a given number of cells.
-fn in_order(count: usize, precision: Precision, parts: &[Part], mut ran: Vec<Block>) -> Block {
-    if ran.len() == 1 {
-        // A single part holds every cell, in order.
-        return ran.remove(0);
-    }
-    let mut block = Block::pending(count, precision);
-    for (part, swept) in parts.iter().zip(&ran) {
-        block.scatter(&part.places, swept);
-    }
-    block
-}
-
-fn all_by_reference(run: &CellRun, observer: &dyn Observer) -> Vec<Outcome> {
+fn all_by_reference(run: &CellRun, sink: Sink, observer: &dyn Observer) {
     let settings = Settings::default();
     let go_on = || !observer.cancelled();
     let cell = |number: usize| {
-        let case = run.grid.case(run.cells[number]);
-        let outcome = by_reference(run.plan, &case, &settings, &go_on);
-        observer.advance(1);
-        // The result of a sweep that was cancelled is not used.
-        outcome.unwrap_or(Outcome::PENDING)
-    };
-    parallel::each(run.cells.len(), 1, cell)
-}
-
-/// Marks cells as unresolved that another run classifies otherwise; cells that have not run stay pending.
-fn resolve(block: &mut Block, other: &Block) {
-    block.recode(|cell, class, status| {
-        if class == other.class(cell) || class == Class::Unresolved {
-            (class, status)
-        } else {
-            (Class::Unresolved, Status::Undecided)
+        let case = run.grid.case(run.cells.at(number));
+        // A sweep that is cancelled has no outcome of the cell.
+        if let Some(outcome) = by_reference(run.plan, &case, &settings, &go_on) {
+            sink.put(&[number], &[outcome]);
         }
-    });
+        observer.advance(1);
+    };
+    parallel::each(run.cells.len(), 1, cell);
 }

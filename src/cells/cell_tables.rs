@@ -2,6 +2,7 @@
 //! it depends on. A clock that depends on all axes is computed for each cell from its parts.
 
 use super::body::{Body, body_parameters};
+use super::cell_list::CellList;
 use super::clock::Clock;
 use super::clock_parts::{
     ClockRule, SPAN, SWING_V, Span, SwingH, SwingV, clock_parameters, swing_parameters,
@@ -40,7 +41,7 @@ pub struct ClockParts {
 pub struct CellTables<'a, R> {
     rule: ClockRule<'a>,
     grid: &'a Grid,
-    cells: &'a [usize],
+    cells: CellList<'a>,
     /// Numbers of the bodies: the block on its base.
     pub bodies: Table<Model<R>>,
     /// Numbers of the horizontal isolation.
@@ -69,7 +70,7 @@ fn by_body<T: Send>(
 
 impl<'a, R: Real> CellTables<'a, R> {
     /// The tables of some cells of a plan's grid.
-    pub fn of(plan: &'a Plan, grid: &'a Grid, cells: &'a [usize]) -> CellTables<'a, R> {
+    pub fn of(plan: &'a Plan, grid: &'a Grid, cells: CellList<'a>) -> CellTables<'a, R> {
         let (rule, shared) = (plan.clock_rule(), shared_amplitude(plan, grid));
         let all = clock_parameters(grid);
         let list = Listing::of(grid, cells);
@@ -107,8 +108,8 @@ impl<'a, R: Real> CellTables<'a, R> {
         self.grid
     }
 
-    /// The numbers of the cells in the grid, one for each cell of the list.
-    pub fn cells(&self) -> &'a [usize] {
+    /// The cells of the list.
+    pub fn cells(&self) -> CellList<'a> {
         self.cells
     }
 
@@ -125,7 +126,7 @@ impl<'a, R: Real> CellTables<'a, R> {
     /// A cell, by its number in the list.
     #[inline(always)]
     pub fn cell(&self, number: usize) -> CellAt {
-        CellAt { number, place: self.grid.place(self.cells[number]) }
+        CellAt { number, place: self.grid.place(self.cells.at(number)) }
     }
 
     /// A cell's clock.
@@ -197,7 +198,7 @@ mod tests {
         let scene = scene.clone().check().unwrap();
         let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
         let cells = list(&grid);
-        let tables = CellTables::<f32>::of(&plan, &grid, &cells);
+        let tables = CellTables::<f32>::of(&plan, &grid, (&cells).into());
         let clocks = match &tables.clocks {
             Clocks::Shared(table) => vec![table.entries.len()],
             Clocks::Own(parts) => {

@@ -10,6 +10,7 @@ use std::sync::Arc;
 
 use rayon::slice::ParallelSliceMut;
 
+use super::cell_list::CellList;
 use super::window::{Combinations, Strides, Window, offset};
 use crate::scene::grid::Place;
 use crate::scene::{Grid, Parameter};
@@ -92,13 +93,13 @@ impl Entries {
     }
 
     /// True where each cell of a list has an entry.
-    pub fn hold(&self, grid: &Grid, cells: &[usize]) -> bool {
+    pub fn hold(&self, grid: &Grid, cells: CellList) -> bool {
         let has = |key: &usize| self.entry(*key).is_some();
         self.occurring.is_none() || keys(grid, &self.combinations.strides(), cells).iter().all(has)
     }
 
     /// Where the cells of a list find their entries, which all of them have.
-    pub fn index(&self, grid: &Grid, cells: &[usize]) -> Index {
+    pub fn index(&self, grid: &Grid, cells: CellList) -> Index {
         let strides = self.combinations.strides();
         if self.occurring.is_none() {
             return Index::ByPlace(strides, self.combinations.before());
@@ -112,13 +113,13 @@ impl Entries {
 }
 
 /// The combination of each cell, by these strides of a whole grid.
-fn keys(grid: &Grid, strides: &Strides, cells: &[usize]) -> Vec<usize> {
+fn keys(grid: &Grid, strides: &Strides, cells: CellList) -> Vec<usize> {
     // The key is not larger than the number of the cell.
-    parallel::each(cells.len(), LOOKUPS, |number| offset(strides, &grid.place(cells[number])))
+    parallel::each(cells.len(), LOOKUPS, |number| offset(strides, &grid.place(cells.at(number))))
 }
 
 /// The combinations that some cells of a grid have, each once and in order.
-pub fn occurring(grid: &Grid, combinations: &Combinations, cells: &[usize]) -> Vec<usize> {
+pub fn occurring(grid: &Grid, combinations: &Combinations, cells: CellList) -> Vec<usize> {
     let mut keys = keys(grid, &combinations.strides(), cells);
     install(|| keys.par_sort_unstable());
     keys.dedup();
@@ -129,7 +130,7 @@ pub fn occurring(grid: &Grid, combinations: &Combinations, cells: &[usize]) -> V
 #[derive(Debug)]
 pub struct Listing<'a> {
     grid: &'a Grid,
-    cells: &'a [usize],
+    cells: CellList<'a>,
     window: Window,
     /// The entries of the tables so far, and where cells find them: tables of the same axes share them.
     known: RefCell<Vec<Rc<(Entries, Index)>>>,
@@ -137,7 +138,7 @@ pub struct Listing<'a> {
 
 impl<'a> Listing<'a> {
     /// The list of these cells of a grid.
-    pub fn of(grid: &'a Grid, cells: &'a [usize]) -> Listing<'a> {
+    pub fn of(grid: &'a Grid, cells: CellList<'a>) -> Listing<'a> {
         let window = Window::around(grid, cells);
         Listing { grid, cells, window, known: RefCell::default() }
     }

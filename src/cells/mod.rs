@@ -9,6 +9,7 @@ pub(crate) mod begin;
 pub(crate) mod body;
 pub(crate) mod bounds;
 pub(crate) mod cache;
+pub mod cell_list;
 pub mod cell_tables;
 pub mod clock;
 pub(crate) mod clock_parts;

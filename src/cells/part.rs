@@ -1,24 +1,30 @@
 //! The cells of a list, divided into parts whose cells run one model each.
 
 use super::body::body_parameters;
+use super::cell_list::CellList;
 use super::listing::{CellAt, Listing};
 use super::plan::Plan;
 use super::table::Table;
-use crate::results::block::Block;
 use crate::scene::{Grid, Parameter};
-use crate::stepping::outcome::Status;
 
 /// Cells that run the same model.
 #[derive(Debug, Clone)]
 pub struct Part {
     /// The plan of these cells.
     pub plan: Plan,
-    /// The cells' numbers in the grid.
-    pub cells: Vec<usize>,
-    /// Their places in the list that was divided into parts.
-    pub places: Vec<usize>,
+    /// Its cells, where they are not all of the list.
+    some: Option<SomeCells>,
     /// The vertical isolation of these cells is rigid for the record, and is locked.
     pub vertical_locked: bool,
+}
+
+/// Some of the cells of a list.
+#[derive(Debug, Clone, Default)]
+struct SomeCells {
+    /// The cells' numbers in the grid.
+    cells: Vec<usize>,
+    /// Their places in the list.
+    places: Vec<usize>,
 }
 
 impl Part {
@@ -26,7 +32,7 @@ impl Part {
     /// whose base does not, cells of equal exponent n, and cells whose vertical isolation is rigid for the record,
     /// with that direction locked. The cells may be in any order. The model is decided once for each combination of the
     /// values that decide it, not for each cell.
-    pub fn of(plan: &Plan, grid: &Grid, cells: &[usize]) -> Vec<Part> {
+    pub fn of(plan: &Plan, grid: &Grid, cells: CellList) -> Vec<Part> {
         let stiffness = [Parameter::TH, Parameter::K1, Parameter::UY, Parameter::YieldForce];
         let mut deciding = vec![Parameter::Psi, Parameter::BoucWenN, Parameter::TV];
         deciding.extend([Parameter::K2, Parameter::Mu]);
@@ -51,45 +57,32 @@ impl Part {
             if known.is_none() {
                 let mut plan = if vertical_locked { plan.without_vertical() } else { plan.clone() };
                 plan.laws = laws;
-                parts.push(Part { plan, cells: Vec::new(), places: Vec::new(), vertical_locked });
+                parts.push(Part { plan, some: None, vertical_locked });
             }
         }
-        if let [only] = &mut parts[..] {
-            (only.cells, only.places) = (cells.to_vec(), (0..cells.len()).collect());
+        if parts.len() == 1 {
             return parts;
         }
-        for (number, &cell) in cells.iter().enumerate() {
+        for (number, cell) in cells.iter().enumerate() {
             let entry = table.index.of(&CellAt { number, place: grid.place(cell) });
-            let part = &mut parts[of_entries[entry]];
-            part.cells.push(cell);
-            part.places.push(number);
+            let some = parts[of_entries[entry]].some.get_or_insert_default();
+            some.cells.push(cell);
+            some.places.push(number);
         }
         // The table may have combinations that no cell has. Parts without a locked direction come first.
-        parts.retain(|part| !part.cells.is_empty());
+        parts.retain(|part| part.some.is_some());
         parts.sort_by_key(|part| part.vertical_locked);
         parts
     }
 
-    /// The outcomes of its cells, marked where the vertical direction is locked.
-    pub(crate) fn mark_locked(&self, mut block: Block) -> Block {
-        if self.vertical_locked {
-            block.recode(|_, class, status| match status {
-                Status::Ok | Status::Proved => (class, Status::VerticalLocked),
-                other => (class, other),
-            });
-        }
-        block
+    /// Its cells, of the list that was divided into parts.
+    pub fn cells<'a>(&'a self, list: CellList<'a>) -> CellList<'a> {
+        self.some.as_ref().map_or(list, |some| CellList::from(&some.cells))
     }
 
-    /// The outcomes of its cells among those of a list of so many cells, of which the others have not run.
-    pub(crate) fn scatter_into(&self, count: usize, block: Block) -> Block {
-        if block.len() == count {
-            // A single part holds every cell, in order.
-            return block;
-        }
-        let mut all = Block::pending(count, block.precision());
-        all.scatter(&self.places, &block);
-        all
+    /// The places of its cells in that list; none where it has all of them, in order.
+    pub fn places(&self) -> Option<&[usize]> {
+        self.some.as_ref().map(|some| &some.places[..])
     }
 }
 
@@ -115,12 +108,17 @@ mod tests {
         let all: Vec<usize> = (0..grid.len()).collect();
         let scattered: Vec<usize> = (0..90).map(|k| (k * 7919 + 13) % grid.len()).rev().collect();
         for (cells, count) in [(all, 8), (scattered, 8), (vec![5, 3], 1), (Vec::new(), 0)] {
-            let parts = Part::of(&plan, &grid, &cells);
+            let list = CellList::from(&cells);
+            let parts = Part::of(&plan, &grid, list);
             assert_eq!(parts.len(), count);
             let mut places: Vec<usize> = Vec::new();
             for part in &parts {
                 assert_eq!(part.plan.scene.isolation.moves_v(), !part.vertical_locked);
-                for (&cell, &place) in part.cells.iter().zip(&part.places) {
+                let of_part: Vec<usize> = match part.places() {
+                    Some(some) => some.to_vec(),
+                    None => (0..cells.len()).collect(),
+                };
+                for (cell, &place) in part.cells(list).iter().zip(&of_part) {
                     let case = grid.case(cell);
                     assert_eq!(
                         (cells[place], part.vertical_locked),
@@ -128,7 +126,7 @@ mod tests {
                     );
                     assert_eq!(part.plan.laws, part.plan.laws_of(&case));
                 }
-                places.extend(&part.places);
+                places.extend(of_part);
             }
             places.sort_unstable();
             assert!(places.into_iter().eq(0..cells.len()));

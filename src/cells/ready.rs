@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use super::begin::begin;
+use super::cell_list::CellList;
 use super::cell_tables::CellTables;
 use super::clock::Clock;
 use super::contact::full_contact::FullContactMotions;
@@ -37,10 +38,11 @@ impl<'a, R: Real> Cells<'a, R> {
     pub fn of(
         plan: &'a Plan,
         grid: &'a Grid,
-        cells: &'a [usize],
+        cells: impl Into<CellList<'a>>,
         record: &'a [Ground<R>],
         observer: &dyn Observer,
     ) -> Cells<'a, R> {
+        let cells = cells.into();
         let tables = CellTables::of(plan, grid, cells);
         let motions = shared_motions(plan, (grid, cells), record, observer);
         let of_motions = motions.as_ref().as_ref().map(|motions| motions.index(grid, cells));

@@ -1,5 +1,6 @@
 //! Boxes of a grid's cells, and the combinations of values that some axes have in them.
 
+use super::cell_list::CellList;
 use crate::scene::grid::{AXES, Place};
 use crate::scene::{Grid, Parameter};
 
@@ -30,11 +31,9 @@ impl Window {
     }
 
     /// A box around some cells: all values of the fast axes, and of the slow axes only the range that the cells have.
-    pub fn around(grid: &Grid, cells: &[usize]) -> Window {
+    pub fn around(grid: &Grid, cells: CellList) -> Window {
         let mut window = Window::whole(grid);
-        let least = cells.iter().min().copied().unwrap_or(0);
-        let most = cells.iter().max().copied().unwrap_or(0);
-        let (low, high) = (grid.place(least), grid.place(most));
+        let [low, high] = cells.ends().map(|cell| grid.place(cell));
         for axis in (0..grid.axes().len()).rev() {
             (window.first[axis], window.counts[axis]) = (low[axis], high[axis] - low[axis] + 1);
             if low[axis] != high[axis] {

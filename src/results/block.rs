@@ -2,14 +2,13 @@
 
 use std::ops::Range;
 
-use super::cell_value::ColumnKind;
 pub use super::cell_value::PENDING;
 use super::column_set::ColumnSet;
-use super::columns::{Column, TABLE};
+use super::columns::{Column, Entry, TABLE};
 pub use super::values::ColumnValues;
 use super::values::{Slots, ValueType};
 use crate::model::precision::Precision;
-use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::stepping::outcome::{Class, Outcome};
 use crate::work::parallel;
 
 /// Number of cells that are converted at once from outcomes to columns, or back: as many as a fast cache holds.
@@ -25,7 +24,7 @@ const FILLED: usize = 1 << 6;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block {
     precision: Precision,
-    /// One for each column, in the order of the table.
+    /// One for each column, in the order of the table: empty where the column is not held, and its values are not known.
     columns: Vec<ColumnValues>,
 }
 
@@ -37,18 +36,16 @@ pub fn bytes_a_cell(precision: Precision) -> usize {
 impl Block {
     /// The columns of a given number of cells, none of which has run.
     pub fn pending(count: usize, precision: Precision) -> Block {
-        Block::all(count, precision, ColumnKind::pending)
+        Block::of(count, precision, ColumnSet::EVERY)
     }
 
-    /// Columns whose values are all unknown.
-    pub(super) fn absent(count: usize, precision: Precision) -> Block {
-        Block::all(count, precision, ColumnKind::filler)
-    }
-
-    /// The columns of cells that all have the same number in a column of a kind.
-    fn all(count: usize, precision: Precision, number: fn(ColumnKind) -> f64) -> Block {
-        let column = |kind| ColumnValues::all(number(kind), ValueType::of(kind, precision), count);
-        Block { precision, columns: TABLE.iter().map(|entry| column(entry.kind)).collect() }
+    /// The same of some columns; those that every sweep holds are among them.
+    pub(super) fn of(count: usize, precision: Precision, held: ColumnSet) -> Block {
+        let column = |entry: &Entry| {
+            let cells = if held.has(entry.column) { count } else { 0 };
+            ColumnValues::all(entry.kind.pending(), ValueType::of(entry.kind, precision), cells)
+        };
+        Block { precision, columns: TABLE.iter().map(column).collect() }
     }
 
     /// The columns of outcomes. A cell that is [`Outcome::PENDING`] has not run.
@@ -72,6 +69,9 @@ impl Block {
         let mut whole = Block::pending(0, precision);
         for (number, entry) in TABLE.iter().enumerate() {
             let of = ValueType::of(entry.kind, precision);
+            if blocks.iter().any(|block| !block.is_empty() && block.columns[number].is_empty()) {
+                continue;
+            }
             let mut first = 0;
             whole.columns[number] = ColumnValues::all(0.0, of, count);
             for block in &mut blocks {
@@ -100,7 +100,12 @@ impl Block {
         self.precision
     }
 
-    /// The values of a column.
+    /// The columns that are held, with their descriptions.
+    fn held(&mut self) -> impl Iterator<Item = (&'static Entry, &mut ColumnValues)> {
+        TABLE.iter().zip(&mut self.columns).filter(|(_, values)| !values.is_empty())
+    }
+
+    /// The values of a column; none where it is not held.
     pub(super) fn values(&self, column: Column) -> &ColumnValues {
         &self.columns[column as usize]
     }
@@ -115,22 +120,6 @@ impl Block {
         match self.values(Column::Status).codes()[cell] {
             PENDING => Class::Unresolved,
             _ => Class::ALL[usize::from(self.values(Column::Outcome).codes()[cell])],
-        }
-    }
-
-    /// Changes the classes and statuses of cells that have run; `change` is handed a cell's number and both.
-    pub fn recode(&mut self, change: impl Fn(usize, Class, Status) -> (Class, Status)) {
-        let both = [Column::Outcome as usize, Column::Status as usize];
-        let Ok([ColumnValues::Codes(classes), ColumnValues::Codes(statuses)]) =
-            self.columns.get_disjoint_mut(both)
-        else {
-            return;
-        };
-        let ran = classes.iter_mut().zip(statuses).enumerate();
-        for (cell, (class, status)) in ran.filter(|(_, (_, status))| **status != PENDING) {
-            let before = (Class::ALL[usize::from(*class)], Status::ALL[usize::from(*status)]);
-            let changed = change(cell, before.0, before.1);
-            (*class, *status) = (changed.0 as u8, changed.1 as u8);
         }
     }
 
@@ -162,17 +151,38 @@ impl Block {
         self.values(Column::Status).codes()[cells].iter().filter(|code| **code == PENDING).count()
     }
 
+    /// The same of cells at some places.
+    pub(super) fn pending_at(&self, places: &[usize]) -> usize {
+        let codes = self.values(Column::Status).codes();
+        places.iter().filter(|place| codes[**place] == PENDING).count()
+    }
+
     /// The ranges of cells that have run.
     pub fn done(&self) -> Vec<Range<usize>> {
         self.values(Column::Status).done()
     }
 
-    /// Sets the fields of some columns in outcomes; the first outcome is that of the cell `first` of the block.
+    /// Sets the fields of some columns in outcomes; the first outcome is that of the cell `first` of the block. A cell
+    /// that has not run is [`Outcome::PENDING`].
     pub fn read(&self, first: usize, columns: &[Column], outcomes: &mut [Outcome]) {
+        // The values of columns that are not held.
+        let unknown = columns.iter().map(|column| {
+            let (kind, absent) = (column.entry().kind, self.values(*column).is_empty());
+            let of = ValueType::of(kind, self.precision);
+            absent.then(|| ColumnValues::all(kind.filler(), of, AT_ONCE))
+        });
+        let unknown: Vec<Option<ColumnValues>> = unknown.collect();
         for (number, some) in outcomes.chunks_mut(AT_ONCE).enumerate() {
-            for column in columns {
-                (column.entry().give)(self.values(*column), first + number * AT_ONCE, some);
+            for (column, unknown) in columns.iter().zip(&unknown) {
+                let give = column.entry().give;
+                match unknown {
+                    Some(unknown) => give(unknown, 0, some),
+                    None => give(self.values(*column), first + number * AT_ONCE, some),
+                }
             }
+            let codes = &self.values(Column::Status).codes()[first + number * AT_ONCE..];
+            let pending = some.iter_mut().zip(codes).filter(|(_, code)| **code == PENDING);
+            pending.for_each(|(cell, _)| *cell = Outcome::PENDING);
         }
     }
 
@@ -187,7 +197,7 @@ impl Block {
     pub fn place(&mut self, places: &[usize], outcomes: &[Outcome]) {
         let count = self.len();
         for (places, outcomes) in places.chunks(AT_ONCE).zip(outcomes.chunks(AT_ONCE)) {
-            for (entry, values) in TABLE.iter().zip(&mut self.columns) {
+            for (entry, values) in self.held() {
                 (entry.put)(&mut values.slots(0..count), places, outcomes);
             }
         }
@@ -208,14 +218,15 @@ impl Block {
         of: impl Fn(Range<usize>, &mut Vec<Outcome>) + Sync,
     ) {
         let cells = first..first + count;
-        let mut whole: Vec<Slots> =
-            self.columns.iter_mut().map(|values| values.slots(cells.clone())).collect();
+        let mut whole: Vec<(&Entry, Slots)> =
+            self.held().map(|(entry, values)| (entry, values.slots(cells.clone()))).collect();
         let cut = |from: usize| {
             let cells = from..(from + A_THREAD).min(count);
-            let slots = whole.iter_mut().map(|slots| slots.cut(cells.len())).collect();
+            let columns = whole.iter_mut();
+            let slots = columns.map(|(entry, slots)| (*entry, slots.cut(cells.len()))).collect();
             (cells, slots)
         };
-        let mut parts: Vec<(Range<usize>, Vec<Slots>)> =
+        let mut parts: Vec<(Range<usize>, Vec<(&Entry, Slots)>)> =
             (0..count).step_by(A_THREAD).map(cut).collect();
         let places: Vec<usize> = (0..A_THREAD).collect();
         parallel::each_slice(&mut parts, 1, |_, parts| {
@@ -224,35 +235,18 @@ impl Block {
             for from in cells.clone().step_by(FILLED) {
                 outcomes.clear();
                 of(from..(from + FILLED).min(cells.end), &mut outcomes);
-                for (entry, slots) in TABLE.iter().zip(&mut *slots) {
+                for (entry, slots) in &mut *slots {
                     (entry.put)(slots, &places[from - cells.start..], &outcomes);
                 }
             }
         });
-    }
-
-    /// Takes some cells of another block from a place on; numbers become as wide as those here.
-    pub fn take(&mut self, first: usize, from: &Block, cells: Range<usize>) {
-        let places = first..first + cells.len();
-        for (to, from) in self.columns.iter_mut().zip(&from.columns) {
-            to.slots(places.clone()).copy(from, cells.clone());
-        }
-    }
-
-    /// Takes all cells of another block, each to its place.
-    pub fn scatter(&mut self, places: &[usize], from: &Block) {
-        // Places that follow one another are taken at once.
-        let mut done = 0;
-        for run in places.chunk_by(|one, next| *next == one + 1) {
-            self.take(run[0], from, done..done + run.len());
-            done += run.len();
-        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::stepping::outcome::Status;
 
     fn outcome(cell: usize) -> Outcome {
         let number = cell as f64 + 0.5;
@@ -295,23 +289,6 @@ mod tests {
             placed.place(&[4, 3], &[outcome(4), outcome(5)]);
             (expected[4], expected[3]) = (outcome(4), outcome(5));
             assert_eq!(placed, Block::of_outcomes(&expected, precision));
-        }
-    }
-
-    /// Cells are taken to their places, and numbers become as wide as those there.
-    #[test]
-    fn cells_are_scattered() {
-        let outcomes: Vec<Outcome> = (0..6).map(outcome).collect();
-        let from = Block::of_outcomes(&outcomes, Precision::F64);
-        for precision in [Precision::F32, Precision::F64] {
-            let mut to = Block::pending(9, precision);
-            to.scatter(&[8, 1, 2, 3, 0, 6], &from);
-            let mut expected = vec![Outcome::PENDING; 9];
-            for (cell, place) in [8, 1, 2, 3, 0, 6].into_iter().enumerate() {
-                expected[place] = outcomes[cell];
-            }
-            assert_eq!(to, Block::of_outcomes(&expected, precision));
-            assert_eq!(to.done(), [0..4, 6..7, 8..9]);
         }
     }
 }

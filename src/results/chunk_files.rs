@@ -125,7 +125,7 @@ impl ChunkFiles {
     /// # Errors
     /// Those of [`ChunkFiles::column`].
     pub fn read(&self, chunk: usize) -> io::Result<Block> {
-        let mut block = Block::absent(self.chunking.cells(chunk).len(), self.precision);
+        let mut block = Block::pending(0, self.precision);
         for column in self.columns.held().columns() {
             block.replace(column, self.column(chunk, column)?);
         }

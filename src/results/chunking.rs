@@ -40,11 +40,6 @@ impl Chunking {
         Chunking::with(shape, (cells / COUNT).clamp(CELLS[0], CELLS[1]))
     }
 
-    /// The grid as one chunk.
-    pub fn whole(grid: &Grid) -> Chunking {
-        Chunking::with(grid.axes().iter().rev().map(Axis::count).collect(), usize::MAX)
-    }
-
     /// The chunks of an array of a shape, of at most a given number of cells.
     pub fn with(mut shape: Vec<usize>, most: usize) -> Chunking {
         if shape.is_empty() {

@@ -1,27 +1,43 @@
-//! Collects outcomes as cells end: in blocks in memory, which are saved from time to time, so that an interrupted run can
-//! go on from there. If memory cannot hold the whole map, each block leaves memory when it is complete.
+//! Collects outcomes as cells end: several threads put them into the columns in which they stay. These are saved from
+//! time to time, so that an interrupted run can go on from there. If memory cannot hold the whole map, each chunk
+//! leaves memory when it is complete.
 
-use std::collections::BTreeMap;
 use std::io;
+use std::num::NonZeroUsize;
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use super::block::Block;
 use super::chunking::Chunking;
+use super::column_set::ColumnSet;
 use super::outcomes::Outcomes;
 use super::reader::{BlocksInMemory, ChunkReader, ShardFolder};
 use super::saved_chunks::SavedChunks;
 use super::store::Store;
 use super::store_error::StoreError;
 use crate::model::precision::Precision;
+use crate::stepping::outcome::Outcome;
+use crate::work::threads::Threads;
 
-/// A chunk that is not complete, or that is held for the map.
-struct OpenChunk {
-    block: Block,
+/// Least time between two savings of a run, and least time that a batch is to take, however often outcomes are to be saved.
+pub(crate) const SHORTEST: Duration = Duration::from_millis(500);
+
+/// The number of complete chunks that may wait to leave memory.
+const BACKLOG: usize = 3;
+
+/// The cells of a chunk.
+#[derive(Default)]
+struct Chunk {
+    /// Their columns, from the first outcome on; none of a chunk that has left memory.
+    block: Option<Block>,
     /// The wanted cells that have not run yet.
     left: usize,
-    /// True where the chunk has outcomes that are not on disk.
+    /// True where outcomes are not on disk.
     unsaved: bool,
+    /// The number of wanted cells that are on disk.
+    on_disk: usize,
 }
 
 /// Where and when outcomes are saved.
@@ -36,37 +52,68 @@ pub struct Saver<'a> {
     pub go_on: &'a (dyn Fn() -> bool + Sync),
 }
 
+/// What the thread that saves is to do.
+#[derive(Default)]
+struct ToSave {
+    /// Complete chunks that are to leave memory.
+    complete: Vec<usize>,
+    /// True once a thread saves while cells run.
+    saving: bool,
+    /// True where nothing more is to be saved while cells run.
+    ended: bool,
+}
+
 /// Collects the outcomes of a run.
 pub struct OutcomeCollector<'a> {
     chunking: Chunking,
     precision: Precision,
+    columns: ColumnSet,
     wanted: Range<usize>,
     saver: Option<Saver<'a>>,
-    open: BTreeMap<usize, OpenChunk>,
-    /// The number of cells of each chunk that are on disk.
-    on_disk: BTreeMap<usize, usize>,
+    chunks: Vec<Mutex<Chunk>>,
+    to_save: Mutex<ToSave>,
+    changed: Condvar,
+    failed: AtomicBool,
     began: Instant,
-    saved: Instant,
+}
+
+/// The value of a lock. What a thread has stored is complete, also where it panicked afterwards.
+fn locked<T>(value: &Mutex<T>) -> MutexGuard<'_, T> {
+    value.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 impl<'a> OutcomeCollector<'a> {
-    /// Collects the `wanted` cells of a grid in memory; `chunking` says how the grid is cut into chunks.
+    /// Collects some columns of a given number of cells in memory, in one piece.
     pub fn in_memory(
-        chunking: Chunking,
+        cells: usize,
         precision: Precision,
-        wanted: Range<usize>,
+        columns: ColumnSet,
     ) -> OutcomeCollector<'a> {
-        let (now, open, on_disk) = (Instant::now(), BTreeMap::new(), BTreeMap::new());
-        let saver = None;
+        let chunking = Chunking::with(vec![cells], usize::MAX);
+        OutcomeCollector::of(chunking, (precision, columns), 0..cells, None)
+    }
+
+    fn of(
+        chunking: Chunking,
+        (precision, columns): (Precision, ColumnSet),
+        wanted: Range<usize>,
+        saver: Option<Saver<'a>>,
+    ) -> OutcomeCollector<'a> {
+        let chunks = (0..chunking.count()).map(|chunk| {
+            let left = part_of(&wanted, &chunking.cells(chunk)).len();
+            Mutex::new(Chunk { left, ..Chunk::default() })
+        });
         OutcomeCollector {
+            chunks: chunks.collect(),
             chunking,
             precision,
+            columns,
             wanted,
             saver,
-            open,
-            on_disk,
-            began: now,
-            saved: now,
+            to_save: Mutex::default(),
+            changed: Condvar::new(),
+            failed: AtomicBool::new(false),
+            began: Instant::now(),
         }
     }
 
@@ -79,38 +126,20 @@ impl<'a> OutcomeCollector<'a> {
         found: &SavedChunks,
         wanted: Range<usize>,
     ) -> io::Result<OutcomeCollector<'a>> {
-        let (store, holds) = (saver.store, saver.holds);
-        let (chunking, precision) = (store.files().chunking.clone(), store.files().precision);
-        let mut collector = OutcomeCollector::in_memory(chunking, precision, wanted);
-        collector.saver = Some(saver);
+        let (files, holds) = (saver.store.files(), saver.holds);
+        let of = (files.precision, files.columns.held());
+        let collector = OutcomeCollector::of(files.chunking.clone(), of, wanted, Some(saver));
         for saved in &found.chunks {
-            let left = collector.left_of(saved.chunk, &saved.done);
-            let done = collector.wanted_of(saved.chunk).len() - left;
-            collector.on_disk.insert(saved.chunk, done);
+            let mut chunk = locked(&collector.chunks[saved.chunk]);
+            let done = saved.done.iter().map(|cells| part_of(cells, &collector.wanted).len());
+            chunk.on_disk = done.sum();
+            chunk.left -= chunk.on_disk;
             // Others are as they are to be.
-            if holds || left > 0 {
-                let open =
-                    OpenChunk { block: store.files().read(saved.chunk)?, left, unsaved: false };
-                collector.open.insert(saved.chunk, open);
+            if holds || chunk.left > 0 {
+                chunk.block = Some(files.read(saved.chunk)?);
             }
         }
         Ok(collector)
-    }
-
-    /// The wanted cells of a chunk that are not done yet.
-    fn left_of(&self, chunk: usize, done: &[Range<usize>]) -> usize {
-        let wanted = self.wanted_of(chunk);
-        let done = done
-            .iter()
-            .map(|cells| cells.end.min(wanted.end).saturating_sub(cells.start.max(wanted.start)));
-        wanted.len() - done.sum::<usize>()
-    }
-
-    /// The wanted cells of a chunk.
-    fn wanted_of(&self, chunk: usize) -> Range<usize> {
-        let cells = self.chunking.cells(chunk);
-        let first = cells.start.max(self.wanted.start);
-        first..cells.end.min(self.wanted.end).max(first)
     }
 
     /// True where all outcomes stay in memory.
@@ -120,120 +149,180 @@ impl<'a> OutcomeCollector<'a> {
 
     /// The number of wanted cells that are on disk.
     pub fn cells_on_disk(&self) -> usize {
-        self.on_disk.values().sum()
+        self.chunks.iter().map(|chunk| locked(chunk).on_disk).sum()
     }
 
-    /// Takes those cells of a block that have run; the first cell of the block is the cell `first` of the grid.
+    /// Takes outcomes of wanted cells by their numbers in the grid. They may come twice, where a device was lost.
+    pub fn put(&self, cells: &[usize], outcomes: &[Outcome]) {
+        let mut from = 0;
+        while let Some(cell) = cells.get(from) {
+            let number = self.chunking.chunk_of(*cell);
+            let held = self.chunking.cells(number);
+            let places: Vec<usize> = cells[from..]
+                .iter()
+                .take_while(|cell| held.contains(cell))
+                .map(|cell| cell - held.start)
+                .collect();
+            let end = (from + places.len()).min(outcomes.len());
+            self.change(number, |block| {
+                let new = block.pending_at(&places);
+                block.place(&places, &outcomes[from..end]);
+                new
+            });
+            from += places.len();
+        }
+    }
+
+    /// Takes outcomes of consecutive wanted cells, by all threads: `of` adds those of some cells, by their places
+    /// among them, to a list, or adds nothing where one of these has none.
+    pub fn fill(&self, cells: Range<usize>, of: impl Fn(Range<usize>, &mut Vec<Outcome>) + Sync) {
+        for number in self.chunking.chunks(&cells) {
+            let held = self.chunking.cells(number);
+            let some = part_of(&cells, &held);
+            let (first, skipped) = (some.start - held.start, some.start - cells.start);
+            self.change(number, |block| {
+                let places = first..first + some.len();
+                let pending = block.pending_in(places.clone());
+                block.fill(first, some.len(), |some, outcomes| {
+                    of(some.start + skipped..some.end + skipped, outcomes);
+                });
+                pending - block.pending_in(places)
+            });
+        }
+    }
+
+    /// Changes the columns of a chunk; `change` returns the number of cells that had not run before. A complete chunk
+    /// that is not held waits here while many others leave memory.
+    fn change(&self, number: usize, change: impl FnOnce(&mut Block) -> usize) {
+        let mut chunk = locked(&self.chunks[number]);
+        if chunk.left == 0 {
+            return;
+        }
+        let cells = self.chunking.cells(number).len();
+        let pending = || Block::of(cells, self.precision, self.columns);
+        let block = chunk.block.get_or_insert_with(pending);
+        chunk.left -= change(block);
+        chunk.unsaved = true;
+        if chunk.left > 0 || self.holds() {
+            return;
+        }
+        drop(chunk);
+        let mut to_save = locked(&self.to_save);
+        to_save.complete.push(number);
+        self.changed.notify_all();
+        let full = |to_save: &mut ToSave| {
+            to_save.complete.len() > BACKLOG && to_save.saving && !to_save.ended
+        };
+        drop(self.changed.wait_while(to_save, full));
+    }
+
+    /// Saves from time to time, and chunks that are to leave memory, until [`OutcomeCollector::ends`].
     ///
     /// # Errors
-    /// Those of the store.
-    pub fn take(&mut self, first: usize, block: Block) -> Result<(), StoreError> {
-        let whole = block.pending_in(0..block.len()) == 0;
-        if let (true, Some(chunk)) = (whole, self.new_chunk_of(first, &block)) {
-            // In one piece, which is kept as it is.
-            let left = self.wanted_of(chunk).len() - block.len();
-            self.open.insert(chunk, OpenChunk { block, left, unsaved: true });
-            self.ended(chunk)?;
-        } else {
-            for cells in block.done() {
-                self.take_run(first, &block, cells)?;
+    /// Those of the store; then the run is to end, see [`OutcomeCollector::failed`].
+    pub fn save_meanwhile(&self) -> Result<(), StoreError> {
+        /// Nobody waits for a thread that is gone, whatever ended it.
+        struct Gone<'c, 'a>(&'c OutcomeCollector<'a>);
+        impl Drop for Gone<'_, '_> {
+            fn drop(&mut self) {
+                self.0.ends();
             }
         }
-        if self.saver.as_ref().is_some_and(|saver| self.saved.elapsed() >= saver.patience) {
-            self.save_all()?;
-        }
-        Ok(())
-    }
-
-    /// The chunk that a block from a cell on fills completely; none where the chunk already has cells.
-    fn new_chunk_of(&self, first: usize, block: &Block) -> Option<usize> {
-        let cells = first..first + block.len();
-        let chunk = self.chunking.chunks(&cells).next()?;
-        let whole = self.chunking.cells(chunk) == cells && self.wanted_of(chunk) == cells;
-        let new = !self.open.contains_key(&chunk) && !self.on_disk.contains_key(&chunk);
-        (whole && new && block.precision() == self.precision).then_some(chunk)
-    }
-
-    /// Takes cells of a block, all of which have run; the first cell of the block is the cell `first` of the grid.
-    fn take_run(
-        &mut self,
-        first: usize,
-        run: &Block,
-        cells: Range<usize>,
-    ) -> Result<(), StoreError> {
-        let cells = first + cells.start..first + cells.end;
-        for chunk in self.chunking.chunks(&cells) {
-            let held = self.chunking.cells(chunk);
-            let some = cells.start.max(held.start)..cells.end.min(held.end);
-            if !self.open.contains_key(&chunk) {
-                if self.on_disk.get(&chunk) == Some(&self.wanted_of(chunk).len()) {
-                    continue;
+        let Some(saver) = &self.saver else { return Ok(()) };
+        let _gone = Gone(self);
+        locked(&self.to_save).saving = true;
+        let patience = saver.patience.max(SHORTEST);
+        // The threads of the run are busy with cells.
+        let alone = Threads::new(NonZeroUsize::new(1)).unwrap_or_default();
+        let mut saved = Instant::now();
+        let save = || loop {
+            let nothing = |to_save: &mut ToSave| to_save.complete.is_empty() && !to_save.ended;
+            let wait = patience.saturating_sub(saved.elapsed());
+            let to_save = locked(&self.to_save);
+            let waited = self.changed.wait_timeout_while(to_save, wait, nothing);
+            let (to_save, _) = waited.unwrap_or_else(PoisonError::into_inner);
+            if to_save.ended {
+                return Ok(());
+            }
+            let complete = to_save.complete.first().copied();
+            drop(to_save);
+            match complete {
+                Some(chunk) => {
+                    self.save(chunk)?;
+                    locked(&self.to_save).complete.retain(|waits| *waits != chunk);
+                    self.changed.notify_all();
                 }
-                let block = Block::pending(held.len(), self.precision);
-                let left = self.wanted_of(chunk).len();
-                self.open.insert(chunk, OpenChunk { block, left, unsaved: false });
+                None => {
+                    self.save_all()?;
+                    saved = Instant::now();
+                }
             }
-            let Some(open) = self.open.get_mut(&chunk) else { continue };
-            let places = some.start - held.start..some.end - held.start;
-            // Cells may come twice: alone, and with their batch.
-            open.left -= open.block.pending_in(places.clone()).min(open.left);
-            open.block.take(places.start, run, some.start - first..some.end - first);
-            open.unsaved = true;
-            self.ended(chunk)?;
-        }
-        Ok(())
+        };
+        let result = alone.scope(save);
+        self.failed.store(result.is_err(), Ordering::Relaxed);
+        result
     }
 
-    /// Saves a chunk that is complete and is not held in memory.
-    fn ended(&mut self, chunk: usize) -> Result<(), StoreError> {
-        let whole = self.open.get(&chunk).is_some_and(|open| open.left == 0);
-        if whole && !self.holds() && self.save(chunk)? {
-            self.open.remove(&chunk);
+    /// No cell runs any more: what saves meanwhile ends.
+    pub fn ends(&self) {
+        locked(&self.to_save).ended = true;
+        self.changed.notify_all();
+    }
+
+    /// True where saving failed.
+    pub fn failed(&self) -> bool {
+        self.failed.load(Ordering::Relaxed)
+    }
+
+    /// Saves a chunk, which leaves memory if it is complete and not held; false where saving ended early.
+    fn save(&self, number: usize) -> Result<bool, StoreError> {
+        let Some(saver) = &self.saver else { return Ok(true) };
+        let mut chunk = locked(&self.chunks[number]);
+        if !chunk.unsaved {
+            return Ok(true);
         }
-        Ok(())
+        let left = chunk.left;
+        let leaves = left == 0 && !self.holds();
+        // It is written from a copy, so that no thread waits for the disk.
+        let block = if leaves { chunk.block.take() } else { chunk.block.clone() };
+        chunk.unsaved = false;
+        drop(chunk);
+        let Some(block) = block else { return Ok(true) };
+        let saved = saver.store.save_while(number, &block, saver.go_on);
+        let mut chunk = locked(&self.chunks[number]);
+        if let Ok(true) = saved {
+            chunk.on_disk = part_of(&self.wanted, &self.chunking.cells(number)).len() - left;
+        } else {
+            chunk.unsaved = true;
+            chunk.block.get_or_insert(block);
+        }
+        saved
+    }
+
+    /// Saves all chunks; false where saving ended early.
+    fn save_all(&self) -> Result<bool, StoreError> {
+        for number in 0..self.chunks.len() {
+            if !self.save(number)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
     }
 
     /// Saves what is only in memory, because the run is about to end; a short run is not worth saving. False where saving ended early.
     ///
     /// # Errors
     /// Those of the store.
-    pub fn rescue(&mut self) -> Result<bool, StoreError> {
+    pub fn rescue(&self) -> Result<bool, StoreError> {
         let long = |saver: &Saver| !saver.holds || self.began.elapsed() >= saver.patience;
         if self.saver.as_ref().is_some_and(long) { self.save_all() } else { Ok(true) }
-    }
-
-    /// Saves a chunk; false where saving ended early.
-    fn save(&mut self, chunk: usize) -> Result<bool, StoreError> {
-        let wanted = self.wanted_of(chunk).len();
-        if let (Some(saver), Some(open)) = (&self.saver, self.open.get_mut(&chunk))
-            && open.unsaved
-        {
-            if !saver.store.save_while(chunk, &open.block, saver.go_on)? {
-                return Ok(false);
-            }
-            open.unsaved = false;
-            self.on_disk.insert(chunk, wanted - open.left);
-        }
-        Ok(true)
-    }
-
-    /// Saves all chunks; false where saving ended early.
-    fn save_all(&mut self) -> Result<bool, StoreError> {
-        let chunks: Vec<usize> = self.open.keys().copied().collect();
-        for chunk in chunks {
-            if !self.save(chunk)? {
-                return Ok(false);
-            }
-        }
-        self.saved = Instant::now();
-        Ok(true)
     }
 
     /// Ends the collection of a shard: all of its cells are on disk.
     ///
     /// # Errors
     /// Those of the store.
-    pub fn finish_shard(mut self) -> Result<(), StoreError> {
+    pub fn finish_shard(self) -> Result<(), StoreError> {
         self.save_all()?;
         let whole = self.cells_on_disk() == self.wanted.len();
         if whole { Ok(()) } else { Err(StoreError::Incomplete) }
@@ -244,23 +333,42 @@ impl<'a> OutcomeCollector<'a> {
     ///
     /// # Errors
     /// Those of the store.
-    pub fn finish(mut self) -> Result<Box<dyn Outcomes>, StoreError> {
+    pub fn finish(self) -> Result<Box<dyn Outcomes>, StoreError> {
         let saved = self.rescue()?;
         let holds = self.holds();
-        if !holds && !saved {
+        if !holds && !saved || self.chunks.iter().any(|chunk| locked(chunk).left > 0) {
             return Err(StoreError::Incomplete);
         }
-        let OutcomeCollector { chunking, wanted, saver, open, .. } = self;
         if holds {
-            if open.len() != chunking.count() || open.values().any(|open| open.left > 0) {
-                return Err(StoreError::Incomplete);
-            }
-            let blocks = open.into_values().map(|open| open.block).collect();
-            return Ok(Box::new(BlocksInMemory::new(chunking, blocks)));
+            let chunking = self.chunking.clone();
+            return Ok(Box::new(BlocksInMemory::new(chunking, self.into_blocks())));
         }
+        let OutcomeCollector { wanted, saver, .. } = self;
         let files = saver.ok_or(StoreError::Incomplete)?.store.files().clone();
         let count = wanted.len();
         let reader = ChunkReader::new(vec![ShardFolder { cells: wanted, files }], count);
         Ok(Box::new(reader.ok_or(StoreError::Incomplete)?))
     }
+
+    /// The columns of all cells of what is collected in one piece; cells that have not run are pending.
+    pub fn into_block(self) -> Block {
+        Block::joined(self.into_blocks())
+    }
+
+    /// The columns of all chunks.
+    fn into_blocks(self) -> Vec<Block> {
+        let OutcomeCollector { chunks, chunking, precision, columns, .. } = self;
+        let block = |(number, chunk): (usize, Mutex<Chunk>)| {
+            let chunk = chunk.into_inner().unwrap_or_else(PoisonError::into_inner);
+            let pending = || Block::of(chunking.cells(number).len(), precision, columns);
+            chunk.block.unwrap_or_else(pending)
+        };
+        chunks.into_iter().enumerate().map(block).collect()
+    }
+}
+
+/// The cells that are in both ranges.
+fn part_of(cells: &Range<usize>, others: &Range<usize>) -> Range<usize> {
+    let first = cells.start.max(others.start);
+    first..cells.end.min(others.end).max(first)
 }

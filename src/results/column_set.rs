@@ -24,6 +24,9 @@ impl ColumnSet {
     /// The columns that a map has by default.
     pub const ALL: ColumnSet = ColumnSet((1 << Column::BY_DEFAULT) - 1);
 
+    /// Every column that there is.
+    pub const EVERY: ColumnSet = ColumnSet::of(&Column::ALL);
+
     /// The columns that tell whether a cell has run, and those that pictures and counts need. A sweep always holds them, because
     /// every cell has them anyway.
     const HELD: ColumnSet = ColumnSet::of(&[

@@ -1,24 +1,18 @@
-//! A sweep in batches, by one or several workers: finished cells are handed over while the others still run.
+//! A sweep in batches, by one or several workers.
 
 use std::collections::VecDeque;
 use std::ops::Range;
-use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
 use crate::backend::backend_error::BackendError;
-use crate::backend::ready::BackendOutcomes;
-use crate::results::block::Block;
+use crate::backend::ready::RunTimes;
 use crate::work::threads::Threads;
 
-/// What sweeps the cells of a batch: a backend with its plan, or a substitute in a test. It may hand over finished cells of the
-/// batch before the batch ends.
-pub type Worker<'a> =
-    Box<dyn Fn(Range<usize>, &HandOver) -> Result<BackendOutcomes, BackendError> + Sync + 'a>;
-
-/// Takes cells that have run; the first argument is the number of the first of them.
-pub type HandOver<'a> = dyn Fn(usize, Block) + Sync + 'a;
+/// What sweeps the cells of a batch: a backend with its plan and the sink for the outcomes, or a substitute in a test.
+pub type Worker<'a> = Box<dyn Fn(Range<usize>) -> Result<RunTimes, BackendError> + Sync + 'a>;
 
 /// The time that the work took, and the workers that were lost.
 #[derive(Debug, Default)]
@@ -29,17 +23,6 @@ pub struct WorkReport {
     pub compile: Duration,
     /// Workers that failed while others went on, each with its error.
     pub lost: Vec<(usize, BackendError)>,
-}
-
-/// Why the work stopped.
-#[derive(Debug, thiserror::Error)]
-pub enum BatchError<E> {
-    /// The last worker failed.
-    #[error(transparent)]
-    Backend(#[from] BackendError),
-    /// Finished cells could not be handed over.
-    #[error("{0}")]
-    Keep(E),
 }
 
 /// The sizes of batches: as many cells as a worker runs in some seconds.
@@ -69,9 +52,6 @@ impl Sizes {
         (next as usize).clamp(1, self.most.max(1))
     }
 }
-
-/// The number of batches that may wait to be saved.
-const BACKLOG: usize = 3;
 
 /// The workers, and the cells that no worker has begun.
 struct Pool {
@@ -104,33 +84,28 @@ impl Pool {
 }
 
 /// Runs the `missing` cells in batches of these sizes on workers of one kind, each taking the next when it is
-/// done; `keep` is handed every batch as it comes, by its first cell. A worker that fails takes no
-/// more, and its batch goes to another.
+/// done. A worker that fails takes no more, and its batch goes to another.
 ///
 /// # Errors
-/// The error of the worker that failed last, when none is left; those of `keep`. What `keep` was
-/// handed before stays as it is.
-pub fn sweep<E: Send>(
+/// The error of the worker that failed last, when none is left; that it was cancelled.
+pub fn sweep(
     workers: &[Worker],
     missing: &[Range<usize>],
     sizes: Sizes,
-    mut keep: impl FnMut(usize, Block) -> Result<(), E> + Send,
-) -> Result<WorkReport, BatchError<E>> {
+) -> Result<WorkReport, BackendError> {
     let mut took = WorkReport::default();
     let mut times = vec![(Duration::ZERO, Duration::ZERO); workers.len()];
+    let mut cancelled = false;
     let left = thread::scope(|scope| {
         let (report, reports) = mpsc::channel();
-        // What is done is kept while the workers go on, unless that takes much longer than the work.
-        let (done, to_keep) = mpsc::sync_channel::<(usize, Block)>(BACKLOG);
         let mut orders = Vec::with_capacity(workers.len());
         for (number, worker) in workers.iter().enumerate() {
             let (order, ordered) = mpsc::channel();
-            let (report, done) = (report.clone(), done.clone());
+            let report = report.clone();
             let threads = Threads::current();
-            scope.spawn(move || threads.scope(|| work(number, worker, ordered, (report, done))));
+            scope.spawn(move || threads.scope(|| work(number, worker, ordered, report)));
             orders.push(order);
         }
-        let mut cancelled = false;
         let mut pool = Pool {
             queue: missing.iter().filter(|cells| !cells.is_empty()).cloned().collect(),
             sizes: vec![sizes.first.clamp(1, sizes.most.max(1)); workers.len()],
@@ -138,14 +113,12 @@ pub fn sweep<E: Send>(
             idle: (0..workers.len()).rev().collect(),
             running: 0,
         };
-        let keeper =
-            scope.spawn(move || to_keep.iter().try_for_each(|(first, block)| keep(first, block)));
         pool.hand_out();
         while pool.running > 0
-            && let Ok((worker, cells, swept)) = reports.recv()
+            && let Ok((worker, cells, ran)) = reports.recv()
         {
             pool.running -= 1;
-            match swept {
+            match ran {
                 // The others end, too: they are asked the same.
                 Err(BackendError::Cancelled) => {
                     cancelled = true;
@@ -156,58 +129,47 @@ pub fn sweep<E: Send>(
                     took.lost.push((worker, error));
                     pool.hand_out();
                 }
-                Ok(swept) => {
-                    times[worker].0 += swept.elapsed;
-                    times[worker].1 += swept.compile;
+                Ok(ran) => {
+                    times[worker].0 += ran.elapsed;
+                    times[worker].1 += ran.compile;
                     // A last batch that is cut short says no less of the worker's speed.
-                    pool.sizes[worker] = sizes.after(cells.len(), swept.elapsed);
+                    pool.sizes[worker] = sizes.after(cells.len(), ran.elapsed);
                     pool.idle.push(worker);
                     pool.hand_out();
-                    if done.send((cells.start, swept.block)).is_err() {
-                        // The keeper has ended, with an error.
-                        break;
-                    }
                 }
             }
         }
-        // Workers hand over until there are no more orders, and the keeper takes until nobody hands over.
-        let left = pool.queue.len();
-        drop((pool, done));
-        match keeper.join() {
-            Ok(Ok(())) if cancelled => Err(BackendError::Cancelled.into()),
-            Ok(Ok(())) => Ok(left),
-            Ok(Err(error)) => Err(BatchError::Keep(error)),
-            Err(panic) => resume_unwind(panic),
-        }
-    })?;
+        pool.queue.len()
+    });
+    if cancelled {
+        return Err(BackendError::Cancelled);
+    }
     if left > 0
         && let Some((_, error)) = took.lost.pop()
     {
-        return Err(error.into());
+        return Err(error);
     }
     took.elapsed = times.iter().map(|(elapsed, _)| *elapsed).max().unwrap_or_default();
     took.compile = times.iter().map(|(_, compile)| *compile).max().unwrap_or_default();
     Ok(took)
 }
 
-/// What a worker reports about a batch: the number of the worker, the cells, and their results.
-type BatchDone = (usize, Range<usize>, Result<BackendOutcomes, BackendError>);
+/// What a worker reports about a batch: the number of the worker, the cells, and the time that they took.
+type BatchDone = (usize, Range<usize>, Result<RunTimes, BackendError>);
 
 /// Sweeps one batch after another, as they are ordered.
 fn work(
     number: usize,
     worker: &Worker,
     orders: mpsc::Receiver<Range<usize>>,
-    (report, done): (mpsc::Sender<BatchDone>, mpsc::SyncSender<(usize, Block)>),
+    report: mpsc::Sender<BatchDone>,
 ) {
-    // What finds no room comes again with the whole batch.
-    let hand_over = |first, block| drop(done.try_send((first, block)));
     for cells in orders {
         // A driver may take its thread with it; the others are to hear of it, not to wait for ever.
-        let swept = catch_unwind(AssertUnwindSafe(|| worker(cells.clone(), &hand_over)));
-        let swept = swept.unwrap_or(Err(BackendError::BrokeOff));
-        // Nobody hears it where the sweep has ended with an error.
-        if report.send((number, cells, swept)).is_err() {
+        let ran = catch_unwind(AssertUnwindSafe(|| worker(cells.clone())));
+        let ran = ran.unwrap_or(Err(BackendError::BrokeOff));
+        // Nobody hears it where the sweep has ended.
+        if report.send((number, cells, ran)).is_err() {
             return;
         }
     }

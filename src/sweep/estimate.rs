@@ -59,7 +59,7 @@ impl Estimate {
         let columns = method.columns;
         let source = Source { scene, precision: backend.columns(precision), columns };
         let files = FileSizes::of(&grid, &swept.block, source, Grid::of(scene).len())?;
-        let rate = grid.len() as f64 / swept.elapsed.as_secs_f64().max(1.0e-9);
-        Ok(Estimate { sampled: grid.len(), rate, compile: swept.compile, files })
+        let rate = grid.len() as f64 / swept.times.elapsed.as_secs_f64().max(1.0e-9);
+        Ok(Estimate { sampled: grid.len(), rate, compile: swept.times.compile, files })
     }
 }

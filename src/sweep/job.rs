@@ -2,16 +2,18 @@
 
 use std::io;
 use std::ops::Range;
+use std::panic::resume_unwind;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::thread::{self, ScopedJoinHandle};
 use std::time::{Duration, Instant};
 
-use super::batches::{BatchError, Sizes, WorkReport};
+use super::batches::{Sizes, WorkReport};
 use super::error::SweepError;
 use super::estimate::Estimate;
 use super::identity::Content;
 use super::map::MapSweep;
-use super::runner::{Runner, SHORTEST};
+use super::runner::Runner;
 use super::settings::{MEMORY, Method, RunSettings, Saving};
 use crate::backend::backend_error::BackendError;
 use crate::backend::ready::Backend;
@@ -21,11 +23,9 @@ use crate::cells::contact::sharing;
 use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
 use crate::results::about::Source;
-use crate::results::block::Block;
 use crate::results::block::bytes_a_cell;
 use crate::results::chunk::Fault;
-use crate::results::chunking::Chunking;
-use crate::results::collector::{OutcomeCollector, Saver};
+use crate::results::collector::{OutcomeCollector, SHORTEST, Saver};
 use crate::results::outcomes::Outcomes;
 use crate::results::reader::missing;
 use crate::results::saved_chunks::SavedChunks;
@@ -273,8 +273,17 @@ impl Job {
     ) -> Result<(Option<Box<dyn Outcomes>>, WorkReport), SweepError> {
         let at_once = self.settings.saving.as_ref().is_some_and(|saving| saving.ends_at_once);
         let go_on = || !(at_once && observer.cancelled());
-        let mut collector = self.collector(&go_on)?;
-        let work = self.work(estimate, observer, |first, block| collector.take(first, block));
+        let collector = self.collector(&go_on)?;
+        let work = thread::scope(|scope| {
+            let saved = self.saved.as_ref().map(|_| scope.spawn(|| collector.save_meanwhile()));
+            let work = self.work(estimate, &collector, observer);
+            collector.ends();
+            match saved.map(ScopedJoinHandle::join) {
+                Some(Ok(Err(error))) => Err(error.into()),
+                Some(Err(panic)) => resume_unwind(panic),
+                Some(Ok(Ok(()))) | None => work,
+            }
+        });
         self.plan.forget();
         let work = match work {
             Ok(work) => work,
@@ -314,41 +323,47 @@ impl Job {
     ) -> Result<OutcomeCollector<'a>, SweepError> {
         let wanted = self.wanted.clone();
         let (Some((store, found)), Some(saving)) = (&self.saved, &self.settings.saving) else {
-            // In one piece, which is handed on as it is.
-            let chunking = Chunking::whole(&self.grid);
-            return Ok(OutcomeCollector::in_memory(chunking, self.columns(), wanted));
+            let columns = self.settings.method.columns.held();
+            return Ok(OutcomeCollector::in_memory(self.grid.len(), self.columns(), columns));
         };
         let saver = Saver { store, patience: saving.every, holds: self.holds(), go_on };
         Ok(OutcomeCollector::saving(saver, found, wanted)?)
     }
 
-    /// Runs what is left on all backends; `keep` is handed cells with the number of the first one.
+    /// Runs what is left on all backends, until saving fails.
     fn work(
         &self,
         estimate: Option<&Estimate>,
+        collector: &OutcomeCollector,
         observer: &dyn Observer,
-        keep: impl FnMut(usize, Block) -> Result<(), StoreError> + Send,
     ) -> Result<WorkReport, SweepError> {
+        /// Ends the work, too, where saving failed.
+        struct UntilFailed<'a>(&'a dyn Observer, &'a OutcomeCollector<'a>);
+        impl Observer for UntilFailed<'_> {
+            fn advance(&self, cells: usize) {
+                self.0.advance(cells);
+            }
+            fn cancelled(&self) -> bool {
+                self.0.cancelled() || self.1.failed()
+            }
+        }
         let (Job { plan, grid, .. }, backends) = (self, self.backends());
         let Method { precision, resolve, .. } = self.settings.method;
         let cells = self.left();
         observer.begins(Phase::Sweeping, if resolve { 2 * cells } else { cells });
         let runner = Runner { plan, grid, backends, precision, resolve };
-        let every = self.settings.saving.as_ref().map(|saving| saving.every);
         let most = runner.most(cells);
+        let every = self.settings.saving.as_ref().map(|saving| saving.every);
         let takes = every.map_or(BATCH, |every| every.max(SHORTEST));
         // Cells that are slow are to be saved in time, too.
         let first = estimate.map_or(UNKNOWN, |estimate| {
             (SAMPLE_SLOWER * estimate.rate * takes.as_secs_f64()) as usize
         });
-        let sizes = match backends[0].gives_snapshots() {
+        let sizes = match backends[0].hands_over_cells() {
             true => Sizes::fixed(most),
             false => Sizes { first, most, takes },
         };
-        runner.ranges(&self.left, sizes, every, observer, keep).map_err(|error| match error {
-            BatchError::Backend(error) => error.into(),
-            BatchError::Keep(error) => SweepError::from(error),
-        })
+        Ok(runner.ranges(&self.left, sizes, collector, &UntilFailed(observer, collector))?)
     }
 
     fn report(&self, estimate: Option<&Estimate>, work: &WorkReport) -> Report {

@@ -1,27 +1,22 @@
 //! The one way from a sweep to its backends: all cells of a grid, or a list of them; for the first time, or again with other
 //! steps or on a finer grid.
 
-use std::borrow::Cow;
-use std::convert::Infallible;
 use std::ops::Range;
-use std::sync::{Mutex, PoisonError};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
-use super::batches::{self, BatchError, Sizes, WorkReport, Worker};
+use super::batches::{self, Sizes, WorkReport, Worker};
 use crate::backend::backend_error::BackendError;
-use crate::backend::cell_run::{CellRun, Snapshots};
+use crate::backend::cell_run::CellRun;
 use crate::backend::ready::Backend;
+use crate::backend::sink::Sink;
+use crate::cells::cell_list::CellList;
 use crate::cells::plan::Plan;
 use crate::model::precision::Precision;
-use crate::results::block::Block;
-use crate::results::columns::Column;
+use crate::results::collector::OutcomeCollector;
+use crate::results::column_set::ColumnSet;
 use crate::scene::Grid;
 use crate::stepping::outcome::Outcome;
 use crate::work::observer::Observer;
-
-/// Least time between two snapshots of a batch, and least time that a batch is to take, however often finished cells are to
-/// be saved.
-pub(crate) const SHORTEST: Duration = Duration::from_millis(500);
 
 /// The outcomes of a list of cells.
 #[derive(Debug, Clone)]
@@ -31,9 +26,6 @@ pub struct ListOutcomes {
     /// Time of the sweep.
     pub elapsed: Duration,
 }
-
-/// The cells at some places of a list.
-type CellsAt<'c> = dyn Fn(Range<usize>) -> Cow<'c, [usize]> + Sync + 'c;
 
 /// Runs cells of a plan's grid.
 #[derive(Clone, Copy)]
@@ -60,35 +52,32 @@ impl Runner<'_> {
         cells: &[usize],
         observer: &dyn Observer,
     ) -> Result<ListOutcomes, BackendError> {
-        let mut outcomes = vec![Outcome::PENDING; cells.len()];
-        let some = |places: Range<usize>| cells[places].into();
+        let collector = OutcomeCollector::in_memory(cells.len(), self.columns(), ColumnSet::EVERY);
         let (sizes, all) = (Sizes::fixed(self.most(cells.len())), 0..cells.len());
-        let work = self.batches((&some, &[all]), sizes, None, observer, |first, block| {
-            block.read(0, &Column::ALL, &mut outcomes[first..first + block.len()]);
-            Ok::<(), Infallible>(())
-        });
-        let work = work.map_err(|error| match error {
-            BatchError::Backend(error) => error,
-            BatchError::Keep(never) => match never {},
-        })?;
-        Ok(ListOutcomes { outcomes, elapsed: work.elapsed })
+        let work = self.batches(cells.into(), &[all], sizes, &collector, observer)?;
+        Ok(ListOutcomes { outcomes: collector.into_block().to_outcomes(), elapsed: work.elapsed })
     }
 
-    /// Runs ranges of the grid's cells in batches of these sizes. `keep` is handed what is done, by the number of the first
-    /// cell: whole batches, and `every` so often what is done of one that goes on.
+    /// Runs ranges of the grid's cells in batches of these sizes.
     ///
     /// # Errors
-    /// Those of the backend; that it was cancelled; those of `keep`.
-    pub(crate) fn ranges<E: Send>(
+    /// Those of the backend; that it was cancelled. What was collected before is right.
+    pub(crate) fn ranges(
         &self,
         ranges: &[Range<usize>],
         sizes: Sizes,
-        every: Option<Duration>,
+        collector: &OutcomeCollector,
         observer: &dyn Observer,
-        keep: impl FnMut(usize, Block) -> Result<(), E> + Send,
-    ) -> Result<WorkReport, BatchError<E>> {
-        let cells = |cells: Range<usize>| cells.collect::<Vec<usize>>().into();
-        self.batches((&cells, ranges), sizes, every, observer, keep)
+    ) -> Result<WorkReport, BackendError> {
+        self.batches((0..self.grid.len()).into(), ranges, sizes, collector, observer)
+    }
+
+    /// The number type of the columns of what it runs.
+    fn columns(&self) -> Precision {
+        // There is one backend at least.
+        let backend = &self.backends[0];
+        let finest = if self.resolve { backend.finest(self.precision) } else { self.precision };
+        backend.columns(finest)
     }
 
     /// Most cells of a batch of so many: several workers are all to have some, and to end together.
@@ -99,35 +88,24 @@ impl Runner<'_> {
         }
     }
 
-    /// Runs what is at places of a list in batches.
-    fn batches<'c, E: Send>(
+    /// Runs what is at places of a list in batches; the collector has its cells by their places.
+    fn batches(
         &self,
-        (cells, places): (&CellsAt<'c>, &[Range<usize>]),
+        cells: CellList,
+        places: &[Range<usize>],
         sizes: Sizes,
-        every: Option<Duration>,
+        collector: &OutcomeCollector,
         observer: &dyn Observer,
-        keep: impl FnMut(usize, Block) -> Result<(), E> + Send,
-    ) -> Result<WorkReport, BatchError<E>> {
+    ) -> Result<WorkReport, BackendError> {
         let worker = |backend| -> Worker<'_> {
             let backend: &Backend = backend;
-            Box::new(move |places, hand_over| {
-                let (first, last) = (places.start, Mutex::new(Instant::now()));
-                let due = || {
-                    let mut last = last.lock().unwrap_or_else(PoisonError::into_inner);
-                    let due = every.is_some_and(|every| last.elapsed() >= every.max(SHORTEST));
-                    if due {
-                        *last = Instant::now();
-                    }
-                    due
-                };
-                let take = |block| hand_over(first, block);
-                let snapshots = every.map(|_| Snapshots { due: &due, take: &take });
-                let run = CellRun::of(self.plan, self.grid, cells(places), self.precision);
-                let run = CellRun { snapshots, ..run.resolving(self.resolve) };
-                backend.run(&run, observer)
+            Box::new(move |places| {
+                let sink = Sink::from(places.start, collector);
+                let run = CellRun::of(self.plan, self.grid, cells.part(places), self.precision);
+                backend.run_into(&run.resolving(self.resolve), sink, observer)
             })
         };
         let workers: Vec<Worker> = self.backends.iter().map(worker).collect();
-        batches::sweep(&workers, places, sizes, keep)
+        batches::sweep(&workers, places, sizes)
     }
 }

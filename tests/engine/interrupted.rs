@@ -239,18 +239,19 @@ fn outcomes_are_read_across_chunks() {
         let (store, found) = open(out.path(), &scene, Precision::F32, true).unwrap();
         let saver =
             Saver { store: &store, patience: Duration::from_secs(3600), holds, go_on: &|| true };
-        let mut collector = OutcomeCollector::saving(saver, &found, all.clone()).unwrap();
-        let block = |outcomes: &[Outcome]| Block::of_outcomes(outcomes, Precision::F32);
+        let collector = OutcomeCollector::saving(saver, &found, all.clone()).unwrap();
+        let put = |cells: Vec<usize>| {
+            let some: Vec<Outcome> = cells.iter().map(|cell| outcomes[*cell]).collect();
+            collector.put(&cells, &some);
+        };
         // The last piece comes first; pieces lie across the chunks, or are one each.
         for piece in pieces {
-            // Of a batch that goes on every second cell has run; then all come again.
-            let mut so_far = outcomes[piece.clone()].to_vec();
-            so_far.iter_mut().step_by(2).for_each(|cell| *cell = Outcome::PENDING);
+            // Every second cell first; then all come, twice.
             if pieces == &across {
-                collector.take(piece.start, block(&so_far)).unwrap();
+                put(piece.clone().step_by(2).collect());
             }
             for _ in 0..2 {
-                collector.take(piece.start, block(&outcomes[piece.clone()])).unwrap();
+                put(piece.clone().collect());
             }
         }
         let read = collector.finish().unwrap();

@@ -144,12 +144,10 @@ fn every_level_agrees_with_the_scalar_twin() {
     let twins = (one_by_one::<f32>(&plan, &grid), one_by_one::<f64>(&plan, &grid));
     for (name, level) in levels {
         say(&format!("lanes: {name}"));
-        let f32s =
-            lanes::sweep(&CellRun::of(&plan, &grid, all(&grid), Precision::F32), &Unwatched, level)
-                .to_outcomes();
-        let f64s =
-            lanes::sweep(&CellRun::of(&plan, &grid, all(&grid), Precision::F64), &Unwatched, level)
-                .to_outcomes();
+        let f32s = lanes::sweep(&CellRun::all(&plan, &grid, Precision::F32), &Unwatched, level)
+            .to_outcomes();
+        let f64s = lanes::sweep(&CellRun::all(&plan, &grid, Precision::F64), &Unwatched, level)
+            .to_outcomes();
         let (single, double) = (apart(&f32s, &twins.0), apart(&f64s, &twins.1));
         assert_eq!((single.classes, double.classes), (0, 0), "{name}");
         assert!(single.zeta[0] <= 1.0e-6, "{name}: {:?}", single.zeta);

@@ -1,6 +1,7 @@
 //! The library's one call: what it returns, how it resumes, how it is ended, what its errors name.
 
 use std::fs;
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -192,6 +193,29 @@ fn a_run_under_a_long_record_is_resumed() {
     assert_eq!(*ear.phases.lock().unwrap(), [(Phase::Sweeping, 72 - saved)]);
     assert_eq!(map.shards[0].1.resumed_cells, saved);
     map.discard_saved().unwrap();
+}
+
+/// What cannot be saved ends the sweep with its error long before its last cell.
+#[test]
+fn what_cannot_be_saved_ends_the_sweep() {
+    /// Puts a file in the place of the folder of what is saved, while cells run.
+    struct Spoils(PathBuf);
+    impl Observer for Spoils {
+        fn advance(&self, _: usize) {
+            // The folder may be written to at this moment, and is removed after the next cell then.
+            let _ = fs::remove_dir_all(&self.0);
+            let _ = fs::write(&self.0, "not a folder");
+        }
+    }
+    let _alone = alone();
+    let out = TempDir::new().unwrap();
+    let mut settings = settings();
+    settings.backend = BackendRequest::Reference;
+    settings.saving = Some(Saving { every: Duration::ZERO, ..Saving::to(out.path()) });
+    let large = object(1, 0.2, (1.75, 0.75), 0.0, "0.2:15:3000", "0.1:15:3000");
+    let spoils = Spoils(out.path().join("unfinished"));
+    let Err(error) = sweep(&large, &[], &settings, &spoils) else { panic!("it ran to its end") };
+    assert!(!error.is_cancelled() && error.to_string().contains("unfinished"), "{error}");
 }
 
 /// A verification without time says that nothing is verified; the map is there.

@@ -1,18 +1,20 @@
 //! A map in shards: run apart, by one worker or several that may vanish, and joined.
 
+use std::fs;
 use std::ops::Range;
-use std::sync::Barrier;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Barrier, Mutex};
+use std::thread;
 use std::time::Duration;
 
 use tempfile::TempDir;
 use topple::backend::backend_error::BackendError;
 use topple::backend::cell_run::CellRun;
-use topple::backend::ready::{Backend, BackendOutcomes};
+use topple::backend::ready::{Backend, RunTimes};
+use topple::backend::sink::Sink;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
 use topple::results::about::Source;
-use topple::results::block::Block;
 use topple::results::collector::{OutcomeCollector, Saver};
 use topple::results::column_set::ColumnSet;
 use topple::results::columns::Column;
@@ -20,8 +22,8 @@ use topple::results::reader::missing;
 use topple::results::shard::Shard;
 use topple::results::store::{Contents, Store};
 use topple::scene::{Grid, Parameter, Scene};
-use topple::stepping::outcome::Outcome;
-use topple::sweep::batches::{self, BatchError, HandOver, Sizes, Worker};
+use topple::stepping::outcome::{Outcome, Status};
+use topple::sweep::batches::{self, Sizes, Worker};
 use topple::sweep::identity::Content;
 use topple::sweep::settings::Method;
 use topple::work::observer::Unwatched;
@@ -102,32 +104,30 @@ fn a_scene_comes_back_from_its_identity() {
 }
 
 /// Sweeps a small map in batches of 50 cells by workers that `fail` tells when to, given the worker and
-/// how many batches it has done; the outcomes, or the error and what was kept.
+/// how many batches it has done; the outcomes so far, and the work or its error.
 fn sweep(
     workers: usize,
     fail: impl Fn(usize, usize) -> Option<BackendError> + Sync,
-) -> (Vec<Outcome>, Result<batches::WorkReport, BatchError<()>>) {
+) -> (Vec<Outcome>, Result<batches::WorkReport, BackendError>) {
     let scene = scene();
     let (plan, grid) = (Plan::new(&scene, 1.0 / 128.0).unwrap(), Grid::of(&scene));
-    let mut outcomes = vec![Outcome::PENDING; grid.len()];
-    let (fail, plan, grid) = (&fail, &plan, &grid);
+    let collector = OutcomeCollector::in_memory(grid.len(), Precision::F32, ColumnSet::EVERY);
+    let (fail, plan, grid, to) = (&fail, &plan, &grid, &collector);
     let double = |number: usize| -> Worker<'_> {
         let done = AtomicUsize::new(0);
-        Box::new(move |cells: Range<usize>, _: &HandOver| {
+        Box::new(move |cells: Range<usize>| {
             if let Some(error) = fail(number, done.fetch_add(1, Ordering::Relaxed)) {
                 return Err(error);
             }
-            let cells: Vec<usize> = cells.collect();
-            Backend::Cpu.run(&CellRun::of(plan, grid, cells, Precision::F32), &Unwatched)
+            let run = CellRun::of(plan, grid, cells.clone(), Precision::F32);
+            Backend::Cpu.run_into(&run, Sink::from(cells.start, to), &Unwatched)
         })
     };
     let workers: Vec<Worker> = (0..workers).map(double).collect();
     let all = 0..grid.len();
-    let took = batches::sweep(&workers, &[all], Sizes::fixed(50), |first, some| {
-        some.read(0, &Column::ALL, &mut outcomes[first..first + some.len()]);
-        Ok(())
-    });
-    (outcomes, took)
+    let took = batches::sweep(&workers, &[all], Sizes::fixed(50));
+    drop(workers);
+    (collector.into_block().to_outcomes(), took)
 }
 
 /// Several workers make the map that one makes, also when some vanish, or break off, on the way; when
@@ -157,7 +157,7 @@ fn adapters_that_vanish_lose_nothing() {
     });
     assert!(matches!(&took.unwrap().lost[..], [(1, BackendError::BrokeOff)]) && left == alone);
     let (some, took) = sweep(2, |_, done| (done >= 3).then(lost));
-    assert!(matches!(took, Err(BatchError::Backend(BackendError::Lost(_)))));
+    assert!(matches!(took, Err(BackendError::Lost(_))));
     let done = some.iter().filter(|cell| **cell != Outcome::PENDING).count();
     assert_eq!(done, 2 * 3 * 50);
     assert!(some.iter().zip(&alone).all(|(a, b)| *a == Outcome::PENDING || a == b));
@@ -168,20 +168,18 @@ fn adapters_that_vanish_lose_nothing() {
 #[test]
 fn batches_are_sized_by_time() {
     // A second a cell up to the hundredth, then a millisecond.
-    let double = |cells: Range<usize>, _: &HandOver| {
-        let elapsed = cells.clone().map(|cell| if cell < 100 { 1.0 } else { 1.0e-3 }).sum();
-        let block = Block::pending(cells.len(), Precision::F32);
-        let elapsed = Duration::from_secs_f64(elapsed);
-        Ok(BackendOutcomes { block, elapsed, compile: Duration::ZERO, device: None })
+    let ran = Mutex::new(Vec::new());
+    let double = |cells: Range<usize>| {
+        ran.lock().unwrap().push((cells.start, cells.len()));
+        let elapsed = cells.map(|cell| if cell < 100 { 1.0 } else { 1.0e-3 }).sum();
+        Ok(RunTimes { elapsed: Duration::from_secs_f64(elapsed), ..RunTimes::default() })
     };
     let sizes = Sizes { first: 50, most: 1000, takes: Duration::from_secs(2) };
     let workers: Vec<Worker> = vec![Box::new(double)];
-    let mut ran = Vec::new();
-    let took = batches::sweep(&workers, &[0..110, 200..3000], sizes, |first, some| {
-        ran.push((first, some.len()));
-        Ok::<(), ()>(())
-    });
+    let took = batches::sweep(&workers, &[0..110, 200..3000], sizes);
     assert!(took.unwrap().lost.is_empty());
+    drop(workers);
+    let ran = ran.into_inner().unwrap();
     // 50 s for the first; then 2 s each.
     assert_eq!(ran[..3], [(0, 50), (50, 2), (52, 2)]);
     let fast: Vec<usize> =
@@ -191,39 +189,14 @@ fn batches_are_sized_by_time() {
     assert_eq!(cells, 110 + 2800);
 }
 
-/// A disk that is full ends the sweep with its error, and the workers with it.
-#[test]
-fn what_cannot_be_kept_ends_the_sweep() {
-    let double = |cells: Range<usize>, _: &HandOver| {
-        let block = Block::pending(cells.len(), Precision::F32);
-        Ok(BackendOutcomes {
-            block,
-            elapsed: Duration::ZERO,
-            compile: Duration::ZERO,
-            device: None,
-        })
-    };
-    let workers: Vec<Worker> = vec![Box::new(double), Box::new(double)];
-    let mut kept = 0;
-    let all = 0..1_000_000;
-    let ended = batches::sweep(&workers, &[all], Sizes::fixed(10), |_, _| {
-        kept += 1;
-        if kept == 3 { Err("no space left") } else { Ok(()) }
-    });
-    assert!(matches!(ended, Err(BatchError::Keep("no space left"))) && kept == 3);
-}
-
 /// A device lost in the middle: what was kept on disk is found, and the rest makes the same map, in
 /// memory or on disk.
 #[test]
 fn after_a_lost_device_the_run_goes_on() {
     let scene = scene();
     let (plan, grid) = (Plan::new(&scene, 1.0 / 128.0).unwrap(), Grid::of(&scene));
-    let run = |cells: Range<usize>| {
-        let cells: Vec<usize> = cells.collect();
-        Backend::Cpu.run(&CellRun::of(&plan, &grid, cells, Precision::F32), &Unwatched)
-    };
-    let alone = run(0..grid.len()).unwrap().block.to_outcomes();
+    let all = CellRun::all(&plan, &grid, Precision::F32);
+    let alone = Backend::Cpu.run(&all, &Unwatched).unwrap().block.to_outcomes();
     for in_memory in [true, false] {
         let out = TempDir::new().unwrap();
         let open = || {
@@ -243,22 +216,71 @@ fn after_a_lost_device_the_run_goes_on() {
                 holds: in_memory,
                 go_on: &|| true,
             };
-            let mut collector = OutcomeCollector::saving(saver, &found, 0..grid.len()).unwrap();
-            let done = AtomicUsize::new(0);
-            let worker: Worker = Box::new(|cells, _| {
+            let collector = OutcomeCollector::saving(saver, &found, 0..grid.len()).unwrap();
+            let (to, done) = (&collector, AtomicUsize::new(0));
+            let worker: Worker = Box::new(|cells| {
                 if fails && done.fetch_add(1, Ordering::Relaxed) == 4 {
                     return Err(BackendError::Lost("unplugged".into()));
                 }
-                run(cells)
+                let run = CellRun::of(&plan, &grid, cells.clone(), Precision::F32);
+                Backend::Cpu.run_into(&run, Sink::from(cells.start, to), &Unwatched)
             });
-            let swept = batches::sweep(&[worker], &left, Sizes::fixed(50), |first, some| {
-                collector.take(first, some)
-            });
+            let swept = batches::sweep(&[worker], &left, Sizes::fixed(50));
             assert_eq!(swept.is_err(), fails);
-            if !fails {
-                let outcomes = collector.finish().unwrap();
-                assert_eq!(outcomes.read(0..grid.len(), &Column::ALL).unwrap(), alone);
+            match fails {
+                true => assert!(collector.rescue().unwrap()),
+                false => {
+                    let outcomes = collector.finish().unwrap();
+                    assert_eq!(outcomes.read(0..grid.len(), &Column::ALL).unwrap(), alone);
+                }
             }
+        }
+    }
+}
+
+/// Chunks that are complete leave memory while cells run; where one cannot be written, the run hears of it, and what puts
+/// outcomes does not wait for it.
+#[test]
+fn chunks_leave_memory_or_the_run_ends() {
+    let text = "[pulse]\nomega = \"1:2:600\"\na_h = \"1:2:1000\"\n[block]\nobject = 1\n[base]\nt_h = 1.75\nt_v = 0.75\n";
+    let scene = crate::common::scene(text);
+    let grid = Grid::of(&scene);
+    let content = Content::new(&scene, &Backend::Cpu, &method(), None);
+    for spoiled in [false, true] {
+        let out = TempDir::new().unwrap();
+        let source = Source { scene: &scene, precision: Precision::F32, columns: ColumnSet::ALL };
+        let contents = Contents { grid: &grid, source };
+        let (store, found) =
+            Store::open(out.path(), content.identity().unwrap(), contents, true).unwrap();
+        if spoiled {
+            fs::remove_dir_all(store.path()).unwrap();
+            fs::write(store.path(), "not a folder").unwrap();
+        }
+        let patience = Duration::from_secs(3600);
+        let saver = Saver { store: &store, patience, holds: false, go_on: &|| true };
+        let collector = OutcomeCollector::saving(saver, &found, 0..grid.len()).unwrap();
+        let cell = |k: usize| Outcome { impacts: k as u32, status: Status::Ok, ..Outcome::PENDING };
+        let saved = thread::scope(|scope| {
+            let saved = scope.spawn(|| collector.save_meanwhile());
+            for first in (0..grid.len()).step_by(1000) {
+                let cells: Vec<usize> = (first..first + 1000).collect();
+                let outcomes: Vec<Outcome> = cells.iter().map(|k| cell(*k)).collect();
+                collector.put(&cells, &outcomes);
+            }
+            if !spoiled {
+                // The last chunks go, too.
+                while collector.cells_on_disk() < grid.len() {
+                    thread::sleep(Duration::from_millis(1));
+                }
+            }
+            collector.ends();
+            saved.join().unwrap()
+        });
+        assert_eq!((saved.is_err(), collector.failed()), (spoiled, spoiled));
+        if !spoiled {
+            let read = collector.finish().unwrap();
+            let some = read.read(65_530..65_540, &[Column::Impacts]).unwrap();
+            assert!(some.iter().map(|cell| cell.impacts).eq(65_530..65_540));
         }
     }
 }

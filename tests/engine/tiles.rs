@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use topple::backend::gpu::opened::Gpu;
-use topple::backend::gpu::outcomes::DeviceOutcomes;
+use topple::backend::gpu::run::DeviceOutcomes;
 use topple::backend::gpu::run::Sweeper;
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;

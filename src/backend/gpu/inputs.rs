@@ -130,7 +130,7 @@ impl<R: Real> Inputs<R> {
         let mut tile = self.tile;
         let mut words = self.words.clone();
         let columns = all.tables.grid().shape().0;
-        let numbers = &all.tables.cells()[cells.clone()];
+        let numbers = all.tables.cells().part(cells.clone());
         let threads = self.by_place.then(|| tile.place(columns, numbers)).flatten();
         let clocks = match own {
             Some(own) => Some(Cow::Borrowed(&own.numbers)),

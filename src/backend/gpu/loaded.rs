@@ -3,10 +3,11 @@
 use std::ops::Range;
 
 use super::device::OpenDevice;
-use super::outcomes::DeviceOutcomes;
+use super::outcomes::DeviceRun;
 use super::slots::Slots;
 use super::tile::OwnClocks;
 use super::{BackendError, outcomes};
+use crate::backend::sink::Sink;
 use crate::cells::ready::Cells;
 use crate::model::real::Real;
 
@@ -39,19 +40,20 @@ impl<R: Real> LoadedTile<R> {
         self.cells.len() - left + (share * left as f64) as usize
     }
 
-    /// Adds the outcomes of its cells, whose last states are mapped, to those of the tiles before it.
+    /// Hands over the outcomes of its cells, whose last states are mapped, after those of the tiles before it.
     pub fn read(
         &self,
         gpu: &OpenDevice,
         slots: &Slots,
         side: usize,
         all: &Cells<R>,
-        results: &mut DeviceOutcomes<R>,
+        sink: Sink,
+        results: &mut DeviceRun<R>,
     ) -> Result<(), BackendError> {
         let back = &slots.sides[side];
         let view = gpu.view(&back.states_back)?;
         let cells = self.cells.clone();
-        outcomes::read(all, cells, self.own.as_ref(), &view, &mut results.block)?;
+        outcomes::read(all, cells, self.own.as_ref(), &view, sink)?;
         results.done += self.cells.len();
         drop(view);
         back.states_back.unmap();

@@ -6,18 +6,16 @@ use std::time::Duration;
 
 use super::BackendError;
 use super::tile::OwnClocks;
+use crate::backend::sink::Sink;
 use crate::cells::ready::Cells;
 use crate::model::real::Real;
-use crate::results::block::Block;
 use crate::stepping::log::Event;
 use crate::stepping::outcome::Outcome;
 use crate::stepping::state::{PROVED, RUNNING, State};
 
-/// The outcomes of the cells that a device computed, and the time that it took.
-pub struct DeviceOutcomes<R> {
-    /// The columns of the outcomes, in the order of the cells.
-    pub block: Block,
-    /// The number of cells in them: the first ones of the list.
+/// What is known of the cells that a device computed, but for their outcomes.
+pub struct DeviceRun<R> {
+    /// The number of cells whose outcomes were handed over: the first ones of the list.
     pub done: usize,
     /// The first switches of each cell, the requested number for each.
     pub events: Vec<Event<R>>,
@@ -25,19 +23,20 @@ pub struct DeviceOutcomes<R> {
     pub device: Option<Duration>,
 }
 
-/// Writes the outcomes of the cells of a tile, by their numbers in the list, to its columns, on all cores. `bytes`
-/// are the states of the cells.
+/// Hands over the outcomes of the cells of a tile, by their numbers in the list, on all cores. `bytes` are the states
+/// of the cells.
 ///
 /// # Errors
-/// [`BackendError::Unfinished`] where a cell still runs or has no status at all: it was never computed.
+/// [`BackendError::Unfinished`] where a cell still runs or has no status at all: it was never computed. Such a cell is
+/// not handed over.
 pub fn read<R: Real>(
     all: &Cells<R>,
     tile: Range<usize>,
     own: Option<&OwnClocks<R>>,
     bytes: &[u8],
-    block: &mut Block,
+    sink: Sink,
 ) -> Result<(), BackendError> {
-    let cells = &all.tables.cells()[tile.clone()];
+    let cells = all.tables.cells().part(tile.clone());
     let bytes = &bytes[..(cells.len() * size_of::<State<R>>()).min(bytes.len())];
     let copy: Vec<State<R>>;
     let states: &[State<R>] = match bytemuck::try_cast_slice(bytes) {
@@ -55,19 +54,24 @@ pub fn read<R: Real>(
     let grid = all.tables.grid();
     let columns = grid.shape().0;
     let of = |some: Range<usize>, outcomes: &mut Vec<Outcome>| {
+        let ended = |state: &State<R>| (RUNNING + 1..=PROVED).contains(&state.status);
+        match states[some.clone()].iter().filter(|state| !ended(state)).count() {
+            0 => {}
+            running => {
+                unfinished.fetch_add(running, Ordering::Relaxed);
+                return;
+            }
+        }
         let mut cell = all.tables.cell(tile.start + some.start);
         for at in some.clone() {
             let state = &states[at];
-            if state.status == RUNNING || state.status > PROVED {
-                unfinished.fetch_add(1, Ordering::Relaxed);
-            }
             // Most cells follow the cell before them in its row, and their places need no division.
             if at > some.start {
                 cell.number += 1;
-                if cells[at] == cells[at - 1] + 1 && cell.place[0] + 1 < columns {
+                if cells.at(at) == cells.at(at - 1) + 1 && cell.place[0] + 1 < columns {
                     cell.place[0] += 1;
                 } else {
-                    cell.place = grid.place(cells[at]);
+                    cell.place = grid.place(cells.at(at));
                 }
             }
             outcomes.push(match own {
@@ -76,7 +80,7 @@ pub fn read<R: Real>(
             });
         }
     };
-    block.fill(tile.start, cells.len(), of);
+    sink.fill(tile.clone(), of);
     match unfinished.into_inner() {
         0 => Ok(()),
         some => Err(BackendError::Unfinished(some)),

@@ -1,17 +1,22 @@
 //! A sweep on a device.
 
+use std::time::Duration;
+
 use super::BackendError;
 use super::opened::Gpu;
-use super::outcomes::DeviceOutcomes;
+use super::outcomes::DeviceRun;
 use super::pipelines::{Pipelines, compile};
 use super::shader::{self, Switches};
 use super::slots::{SIDES, Slots};
 use super::tiles::Tiles;
+use crate::backend::sink::{Sink, collected};
+use crate::cells::cell_list::CellList;
 use crate::cells::plan::Plan;
 use crate::cells::ready::Cells;
 use crate::model::isolation::Variant;
 use crate::model::precision::Precision;
 use crate::model::real::Real;
+use crate::results::block::Block;
 use crate::scene::Grid;
 use crate::stepping::log::Event;
 use crate::stepping::state::State;
@@ -21,6 +26,16 @@ use crate::work::observer::Observer;
 const MOST_CELLS: usize = 1 << 18;
 /// The same on a software adapter, where the states then fit in the caches of the processor.
 const MOST_CELLS_SOFTWARE: usize = 1 << 15;
+
+/// The outcomes of the cells that a device computed, and the time that it took.
+pub struct DeviceOutcomes<R> {
+    /// The columns of the outcomes, in the order of the cells.
+    pub block: Block,
+    /// The first switches of each cell, the requested number for each.
+    pub events: Vec<Event<R>>,
+    /// The time in the shader by the clock of the device; none where the device has no clock.
+    pub device: Option<Duration>,
+}
 
 /// The compiled sweep of a scene.
 pub struct Sweeper<'a> {
@@ -85,11 +100,10 @@ impl<'a> Sweeper<'a> {
         Sweeper { most_cells: cells, ..self }
     }
 
-    /// Runs cells of a grid. `observer` is told of cells as they are done; a running cell counts by the share of its
-    /// steps.
+    /// Runs cells of a grid, and collects their outcomes; see [`Sweeper::sweep_into`].
     ///
     /// # Errors
-    /// Any [`BackendError`]; no outcome is returned that the device did not compute.
+    /// Those of [`Sweeper::sweep_into`].
     pub fn sweep<R: Real>(
         &self,
         plan: &Plan,
@@ -97,6 +111,25 @@ impl<'a> Sweeper<'a> {
         cells: &[usize],
         observer: &dyn Observer,
     ) -> Result<DeviceOutcomes<R>, BackendError> {
+        let into = |sink: Sink| self.sweep_into(plan, grid, cells.into(), sink, observer);
+        let (block, ran) = collected(cells.len(), R::PRECISION, into);
+        let DeviceRun { events, device, .. } = ran?;
+        Ok(DeviceOutcomes { block, events, device })
+    }
+
+    /// Runs cells of a grid, and hands over their outcomes. `observer` is told of cells as they are done; a running
+    /// cell counts by the share of its steps.
+    ///
+    /// # Errors
+    /// Any [`BackendError`]; no outcome is handed over that the device did not compute.
+    pub fn sweep_into<R: Real>(
+        &self,
+        plan: &Plan,
+        grid: &Grid,
+        cells: CellList,
+        sink: Sink,
+        observer: &dyn Observer,
+    ) -> Result<DeviceRun<R>, BackendError> {
         let record = plan.record::<R>();
         let all = Cells::of(plan, grid, cells, &record, observer);
         let tile = self.tile_size::<R>().min(cells.len().next_power_of_two());
@@ -106,7 +139,7 @@ impl<'a> Sweeper<'a> {
             None => self.gpu.checked(|| Slots::new::<R>(self.gpu, tile, self.events_kept))?,
         };
         let scene = (&all, &record[..]);
-        let tiles = Tiles::new(self.gpu, &self.pipelines, &mut slots, scene, tile)?;
+        let tiles = Tiles::new(self.gpu, &self.pipelines, &mut slots, scene, tile, sink)?;
         let results = tiles.run(observer)?;
         // After a failure the buffers are not used again.
         self.gpu.keep(slots);

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use bytemuck::{Pod, Zeroable};
 
+use crate::cells::cell_list::CellList;
 use crate::cells::cell_tables::{CellTables, ClockParts, Clocks, OwnClock};
 use crate::cells::clock::Clock;
 use crate::cells::listing::Index;
@@ -118,11 +119,8 @@ impl Tile {
     /// Puts cells that follow one another in a grid with a given number of columns in the tile. The result is the
     /// number of threads that make them; none where the cells do not follow one another, and where the device cannot
     /// count so many rows.
-    pub fn place(&mut self, columns: usize, cells: &[usize]) -> Option<usize> {
-        let first = cells.first().copied().unwrap_or(0);
-        if !cells.windows(2).all(|pair| pair[1] == pair[0] + 1) {
-            return None;
-        }
+    pub fn place(&mut self, columns: usize, cells: CellList) -> Option<usize> {
+        let first = cells.first_of_consecutive()?;
         let (first_column, first_row) = (first % columns, first / columns);
         let rows = (first_column + cells.len()).div_ceil(columns);
         // A thread counts cells from the start of the first row on, and rows.
@@ -215,9 +213,9 @@ mod tests {
     fn no_row_is_cut() {
         let (columns, rows) = (3, 1 << 32);
         let placed = |first: usize, count: usize| {
-            let cells: Vec<usize> = (first..first + count).collect();
             let mut tile = Tile::default();
-            tile.place(columns, &cells).map(|_| [tile.first_column, tile.first_row])
+            tile.place(columns, (first..first + count).into())
+                .map(|_| [tile.first_column, tile.first_row])
         };
         assert_eq!(placed(columns * (rows - 3) + 1, 4), Some([1, u32::MAX - 2]));
         for (first, count) in [(rows - 3, 10), (rows - 1, 4), (rows, 1), (rows + 5, 40)] {
@@ -225,6 +223,6 @@ mod tests {
         }
         // The device cannot count beyond the end of a row of nearly as many columns, either.
         let columns = (1 << 32) - 1;
-        assert_eq!(Tile::default().place(columns, &[columns - 1, columns]), None);
+        assert_eq!(Tile::default().place(columns, (columns - 1..columns + 1).into()), None);
     }
 }

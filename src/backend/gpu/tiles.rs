@@ -15,15 +15,15 @@ use super::BackendError;
 use super::device::OpenDevice;
 use super::inputs::Inputs;
 use super::loaded::LoadedTile;
-use super::outcomes::DeviceOutcomes;
+use super::outcomes::DeviceRun;
 use super::pipelines::Pipelines;
 use super::slots::{FLIGHTS, SIDES, Slots, TALLY};
 use super::submission::{Begin, Flight, Order, Report, receive, submit};
 use super::tile::OwnClocks;
+use crate::backend::sink::Sink;
 use crate::cells::ready::Cells;
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
-use crate::results::block::Block;
 use crate::work::observer::Observer;
 
 /// The tiles of a sweep.
@@ -33,6 +33,7 @@ pub struct Tiles<'a, R> {
     slots: &'a mut Slots,
     all: &'a Cells<'a, R>,
     inputs: Inputs<R>,
+    sink: Sink<'a>,
     /// The cells that are in no tile yet, by their numbers in the list.
     rest: Range<usize>,
     /// The most cells of a tile.
@@ -54,7 +55,7 @@ pub struct Tiles<'a, R> {
     steps: u32,
     all_steps: u64,
     most_steps: u64,
-    results: DeviceOutcomes<R>,
+    results: DeviceRun<R>,
 }
 
 impl<'a, R: Real> Tiles<'a, R> {
@@ -65,14 +66,14 @@ impl<'a, R: Real> Tiles<'a, R> {
         slots: &'a mut Slots,
         (all, record): (&'a Cells<'a, R>, &[Ground<R>]),
         most_cells: usize,
+        sink: Sink<'a>,
     ) -> Result<Tiles<'a, R>, BackendError> {
         let inputs = gpu.checked(|| {
             gpu.queue.write_buffer(&slots.tally, 0, &[0; TALLY as usize]);
             Inputs::new(gpu, pipelines, slots, all, record)
         })?;
         let cells = all.tables.cells().len();
-        let results = DeviceOutcomes {
-            block: Block::pending(cells, R::PRECISION),
+        let results = DeviceRun {
             done: 0,
             events: Vec::new(),
             device: gpu.has_clock().then_some(Duration::ZERO),
@@ -83,6 +84,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             slots,
             all,
             inputs,
+            sink,
             rest: 0..cells,
             most_cells,
             sides: [None, None],
@@ -102,7 +104,7 @@ impl<'a, R: Real> Tiles<'a, R> {
     }
 
     /// Runs all tiles until all their cells end.
-    pub fn run(mut self, observer: &dyn Observer) -> Result<DeviceOutcomes<R>, BackendError> {
+    pub fn run(mut self, observer: &dyn Observer) -> Result<DeviceRun<R>, BackendError> {
         let count = self.rest.len();
         let (mut told, mut ended) = (0, Instant::now());
         loop {
@@ -232,7 +234,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             tile.as_ref().is_some_and(|tile| tile.mapped && tile.number == self.read)
         }) && let Some(tile) = self.copied[side].take()
         {
-            tile.read(self.gpu, self.slots, side, self.all, &mut self.results)?;
+            tile.read(self.gpu, self.slots, side, self.all, self.sink, &mut self.results)?;
             self.read += 1;
             any = true;
         }

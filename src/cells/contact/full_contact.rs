@@ -18,6 +18,7 @@ use super::kept_motions::Kept;
 use super::motions::{MotionPair, Motions};
 use super::shared_motion::{MotionSet, Start};
 use super::sharing::sharing;
+use crate::cells::cell_list::CellList;
 use crate::cells::listing::{Entries, Index, occurring};
 use crate::cells::plan::Plan;
 use crate::cells::window::Combinations;
@@ -51,7 +52,7 @@ pub struct FullContactMotions<R> {
 /// The motions that a list needs, together with those that are there already. They are those of the whole grid where
 /// these are no more than the cells of the list, or no more than twice as many as the list needs.
 fn wanted(
-    (grid, cells): (&Grid, &[usize]),
+    (grid, cells): (&Grid, CellList),
     all: [Combinations; 2],
     known: Option<[&Entries; 2]>,
 ) -> [Entries; 2] {
@@ -81,7 +82,7 @@ impl<R: Real> FullContactMotions<R> {
     /// whole grid take too much memory, or where `observer` ends the work.
     pub fn of(
         plan: &Plan,
-        (grid, cells): (&Grid, &[usize]),
+        (grid, cells): (&Grid, CellList),
         known: Option<&FullContactMotions<R>>,
         record: &[Ground<R>],
         observer: &dyn Observer,
@@ -143,12 +144,12 @@ impl<R: Real> FullContactMotions<R> {
     }
 
     /// Where the cells of a list find their motions of u and of v.
-    pub(crate) fn index(&self, grid: &Grid, cells: &[usize]) -> [Index; 2] {
+    pub(crate) fn index(&self, grid: &Grid, cells: CellList) -> [Index; 2] {
         [&self.across, &self.up].map(|motions| motions.entries.index(grid, cells))
     }
 
     /// True where all motions that a list needs are there.
-    pub(crate) fn hold(&self, grid: &Grid, cells: &[usize]) -> bool {
+    pub(crate) fn hold(&self, grid: &Grid, cells: CellList) -> bool {
         [&self.across, &self.up].iter().all(|motions| motions.entries.hold(grid, cells))
     }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::full_contact::FullContactMotions;
 use super::motion_cache::Key;
+use crate::cells::cell_list::CellList;
 use crate::cells::plan::Plan;
 use crate::model::excitation::Ground;
 use crate::model::precision::Precision;
@@ -17,7 +18,7 @@ use crate::work::threads::install;
 /// [`FullContactMotions::of`]: motions that earlier lists needed are used again.
 pub(crate) fn shared_motions<R: Real>(
     plan: &Plan,
-    (grid, cells): (&Grid, &[usize]),
+    (grid, cells): (&Grid, CellList),
     record: &[Ground<R>],
     observer: &dyn Observer,
 ) -> Arc<Option<FullContactMotions<R>>> {
@@ -50,7 +51,7 @@ pub(crate) fn shared_motions<R: Real>(
 fn at(
     precision: Precision,
     plan: &Plan,
-    some: (&Grid, &[usize]),
+    some: (&Grid, CellList),
     known: Option<Arc<dyn Any + Send + Sync>>,
     record: &[u8],
     observer: &dyn Observer,
@@ -58,7 +59,7 @@ fn at(
     fn of<R: Real>(
         record: &[u8],
         plan: &Plan,
-        some: (&Grid, &[usize]),
+        some: (&Grid, CellList),
         known: Option<Arc<dyn Any + Send + Sync>>,
         observer: &dyn Observer,
     ) -> Arc<dyn Any + Send + Sync> {
@@ -97,7 +98,8 @@ mod tests {
         let record = plan.record::<f32>();
         let cells: Vec<usize> = (0..64).collect();
         let grid = || Grid::of(&scene);
-        let motions = || shared_motions(&plan.clone(), (&grid(), &cells), &record, &Unwatched);
+        let motions =
+            || shared_motions(&plan.clone(), (&grid(), (&cells).into()), &record, &Unwatched);
         let first = motions();
         assert!(first.is_some(), "they are shared");
         assert!(Arc::ptr_eq(&first, &motions()));
@@ -117,7 +119,8 @@ mod tests {
             .unwrap();
         let (plan, grid) = (Plan::new(&scene, 0.01).unwrap(), Grid::of(&scene));
         let record = plan.record::<f32>();
-        let motions = |cells: &[usize]| shared_motions(&plan, (&grid, cells), &record, &Unwatched);
+        let motions =
+            |cells: &[usize]| shared_motions(&plan, (&grid, cells.into()), &record, &Unwatched);
         let counts = |cells: &[usize]| {
             let motions = motions(cells);
             let motions = motions.as_ref().as_ref().unwrap();

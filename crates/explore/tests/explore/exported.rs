@@ -126,7 +126,7 @@ fn words<T: bytemuck::Pod>(items: &[T]) -> Vec<u32> {
 
 /// The numbers of a plan's cells: the tables of all, and each cell as its integration begins.
 fn tables(plan: &Plan, grid: &Grid, cells: &[usize]) -> Value {
-    let tables: CellTables<f32> = CellTables::of(plan, grid, cells);
+    let tables: CellTables<f32> = CellTables::of(plan, grid, cells.into());
     // Where each cell has its own they are seen in the cells alone.
     let clocks = match &tables.clocks {
         Clocks::Shared(table) => {
@@ -176,10 +176,11 @@ fn library(scene: &Scene, backend: Option<&Backend>) -> Value {
     plan.shortcuts.full_contact = false;
     let grid = Grid::of(scene);
     let cells = all(&grid);
-    let parts = Part::of(&plan, &grid, &cells);
-    let parts = parts.iter().map(
-        |part| json!({ "cells": part.cells, "tables": tables(&part.plan, &grid, &part.cells) }),
-    );
+    let parts = Part::of(&plan, &grid, (&cells).into());
+    let parts = parts.iter().map(|part| {
+        let cells: Vec<usize> = part.cells((&cells).into()).iter().collect();
+        json!({ "cells": cells, "tables": tables(&part.plan, &grid, &cells) })
+    });
     let how = (Precision::F32, false);
     let swept = backend.map(|backend| {
         backend.run(&CellRun::of(&plan, &grid, &cells, how.0).resolving(how.1), &Unwatched).unwrap()

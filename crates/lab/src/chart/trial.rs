@@ -8,7 +8,7 @@ use super::{SWITCHES, naive};
 use topple::backend::backend_error::BackendError;
 use topple::backend::cpu;
 use topple::backend::gpu::opened::Gpu;
-use topple::backend::gpu::outcomes::DeviceOutcomes;
+use topple::backend::gpu::run::DeviceOutcomes;
 use topple::backend::gpu::run::Sweeper;
 use topple::cells::clock::Resolution;
 use topple::cells::plan::Plan;

@@ -1,0 +1,98 @@
+//! The way of outcomes from where cells run to the columns in which they stay.
+
+use std::ops::Range;
+
+use crate::cells::part::Part;
+use crate::model::precision::Precision;
+use crate::results::block::Block;
+use crate::results::collector::OutcomeCollector;
+use crate::results::column_set::ColumnSet;
+use crate::stepping::outcome::{Class, Outcome, Status};
+use crate::work::parallel;
+
+/// Cells whose outcomes a thread hands over at once, where they do not follow one another.
+const AT_ONCE: usize = 1 << 11;
+
+/// Takes the outcomes of the cells of a run, by their numbers in its list, from any thread.
+#[derive(Clone, Copy)]
+pub struct Sink<'a> {
+    to: &'a OutcomeCollector<'a>,
+    /// The number that the first cell of the list has for the collector; the others follow it.
+    first: usize,
+    /// The places in that list of the cells that run, where they are not all of it.
+    places: Option<&'a [usize]>,
+    /// The vertical isolation of these cells is rigid for the record, and is locked.
+    vertical_locked: bool,
+    /// Outcomes of the whole list with longer steps.
+    coarse: Option<&'a Block>,
+}
+
+impl<'a> Sink<'a> {
+    /// Leads to the columns of consecutive cells from a number on.
+    pub fn from(first: usize, to: &'a OutcomeCollector<'a>) -> Sink<'a> {
+        Sink { to, first, places: None, vertical_locked: false, coarse: None }
+    }
+
+    /// The same for the cells of a part of the list.
+    pub(super) fn of_part(self, part: &'a Part) -> Sink<'a> {
+        Sink { places: part.places(), vertical_locked: part.vertical_locked, ..self }
+    }
+
+    /// The same; a cell that has another class in these outcomes of the whole list is unresolved.
+    pub(super) fn resolving(self, coarse: &'a Block) -> Sink<'a> {
+        Sink { coarse: Some(coarse), ..self }
+    }
+
+    /// The outcome of a cell as it stays.
+    fn marked(&self, place: usize, mut outcome: Outcome) -> Outcome {
+        if self.vertical_locked && matches!(outcome.status, Status::Ok | Status::Proved) {
+            outcome.status = Status::VerticalLocked;
+        }
+        if let Some(coarse) = self.coarse
+            && outcome.class != coarse.class(place)
+            && outcome.class != Class::Unresolved
+        {
+            (outcome.class, outcome.status) = (Class::Unresolved, Status::Undecided);
+        }
+        outcome
+    }
+
+    /// Takes the outcomes of cells by their numbers.
+    pub fn put(&self, numbers: &[usize], outcomes: &[Outcome]) {
+        let place = |number: &usize| self.places.map_or(*number, |places| places[*number]);
+        let places = numbers.iter().map(place);
+        let marked: Vec<Outcome> =
+            places.clone().zip(outcomes).map(|(place, cell)| self.marked(place, *cell)).collect();
+        let cells: Vec<usize> = places.map(|place| self.first + place).collect();
+        self.to.put(&cells, &marked);
+    }
+
+    /// Takes the outcomes of cells from a number on, by all threads: `of` adds those of some cells, by their places
+    /// among them, to a list, or adds nothing where one of these has none.
+    pub fn fill(&self, numbers: Range<usize>, of: impl Fn(Range<usize>, &mut Vec<Outcome>) + Sync) {
+        let (first, count) = (numbers.start, numbers.len());
+        if self.places.is_none() {
+            let marked = |places: Range<usize>, outcomes: &mut Vec<Outcome>| {
+                of(places.clone(), outcomes);
+                for (place, outcome) in places.zip(outcomes) {
+                    *outcome = self.marked(first + place, *outcome);
+                }
+            };
+            return self.to.fill(self.first + first..self.first + numbers.end, marked);
+        }
+        parallel::each(count.div_ceil(AT_ONCE), 1, |group| {
+            let places = group * AT_ONCE..((group + 1) * AT_ONCE).min(count);
+            let numbers: Vec<usize> = places.clone().map(|place| first + place).collect();
+            let mut outcomes = Vec::with_capacity(AT_ONCE);
+            of(places, &mut outcomes);
+            self.put(&numbers, &outcomes);
+        });
+    }
+}
+
+/// The columns of a given number of cells, and what else the function returns that puts them into a sink.
+pub fn collected<T>(cells: usize, precision: Precision, run: impl FnOnce(Sink) -> T) -> (Block, T) {
+    let collector = OutcomeCollector::in_memory(cells, precision, ColumnSet::EVERY);
+    let other = run(Sink::from(0, &collector));
+    (collector.into_block(), other)
+}
