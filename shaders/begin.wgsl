@@ -86,6 +86,6 @@ fn begin(
     lane = tile.first_slot + place.number;
     enlist(local, runs, tile.number, tile.slots);
     if local == 0u {
-        atomicAdd(&tally.left[tile.first_slot / (tile.slots / 2u)], atomicLoad(&group_running));
+        atomicAdd(&tally.left[tile.first_slot / (tile.slots / SIDES)], atomicLoad(&group_running));
     }
 }

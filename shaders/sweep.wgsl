@@ -3,7 +3,7 @@
 override workgroup_size: u32 = 64u;
 
 struct Dispatch {
-    // The number of slots for cells: those of two tiles.
+    // The number of slots for cells: those of all tiles.
     slots: u32,
     // The fewest turns of a cell.
     work: u32,
@@ -12,14 +12,19 @@ struct Dispatch {
     padding: u32,
 }
 
+// The number of tiles on the device at once.
+const SIDES = 4u;
+
 struct Tally {
     // The numbers of cells to run in each dispatch, a ring: a dispatch reads its own number and adds to the next one.
     running: array<atomic<u32>, 4>,
-    // The number of cells of each of the two tiles that still run.
-    left: array<atomic<u32>, 2>,
+    // The number of cells of each tile that still run.
+    left: array<atomic<u32>, SIDES>,
     // The steps that all cells took so far, modulo 2^32.
     steps: atomic<u32>,
-    padding: u32,
+    padding_0: u32,
+    padding_1: u32,
+    padding_2: u32,
 }
 
 @group(0) @binding(1) var<storage, read> cells: array<Cell>;
@@ -40,7 +45,7 @@ var<private> lane: u32;
 // A workgroup counts its cells before one of its threads adds the count to the tally, so that few threads wait for
 // each other, and neighbours in one list are neighbours in the next.
 var<workgroup> group_running: atomic<u32>;
-var<workgroup> group_ended: array<atomic<u32>, 2>;
+var<workgroup> group_ended: array<atomic<u32>, SIDES>;
 var<workgroup> group_steps: atomic<u32>;
 var<workgroup> group_place: u32;
 
@@ -92,13 +97,14 @@ fn sweep(
         runs = state.status == RUNNING;
         atomicAdd(&group_steps, state.step - first);
         if !runs {
-            atomicAdd(&group_ended[lane / (dispatch.slots / 2u)], 1u);
+            atomicAdd(&group_ended[lane / (dispatch.slots / SIDES)], 1u);
         }
     }
     enlist(local, runs, dispatch.number + 1u, dispatch.slots);
     if local == 0u {
         atomicAdd(&tally.steps, atomicLoad(&group_steps));
-        atomicSub(&tally.left[0], atomicLoad(&group_ended[0]));
-        atomicSub(&tally.left[1], atomicLoad(&group_ended[1]));
+        for (var side = 0u; side < SIDES; side += 1u) {
+            atomicSub(&tally.left[side], atomicLoad(&group_ended[side]));
+        }
     }
 }

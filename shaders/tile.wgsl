@@ -46,10 +46,10 @@ struct Tile {
     // The column and the row of the first cell of the tile; rows are those of all axes after the first together.
     first_column: u32,
     first_row: u32,
-    // The order in which threads take cells: IN_ORDER, IN_BLOCKS or LISTED.
+    // The order in which threads take cells: IN_ORDER or LISTED.
     order: u32,
-    // The number of blocks in a row of the grid; for LISTED the place in `words` of the places of the first cell.
-    blocks: u32,
+    // For LISTED the place in `words` of the places of the first cell.
+    listed: u32,
     // The first slot of the tile, and the number of slots of all tiles.
     first_slot: u32,
     slots: u32,
@@ -62,15 +62,8 @@ struct Tile {
 
 // The cells of a tile follow one another in the grid, and threads take them in this order.
 const IN_ORDER = 0u;
-// The cells follow one another, and threads take them in blocks of 8 by 4, so that those of a warp are close
-// together.
-const IN_BLOCKS = 1u;
 // A list holds the places of each cell along all axes.
-const LISTED = 2u;
-
-const BLOCK_WIDTH = 8u;
-const BLOCK_HEIGHT = 4u;
-const BLOCK_CELLS = 32u;
+const LISTED = 1u;
 
 @group(0) @binding(8) var<uniform> tile: Tile;
 // Numbers of clocks, places of motions, and cells of a list.
@@ -107,20 +100,8 @@ fn along_axes(number: u32, column: u32, row: u32) -> Place {
 }
 
 fn place_of(thread: u32) -> Place {
-    if tile.order == IN_BLOCKS {
-        let block = thread / BLOCK_CELLS;
-        let within = thread % BLOCK_CELLS;
-        let column = block % tile.blocks * BLOCK_WIDTH + within % BLOCK_WIDTH;
-        let rows = block / tile.blocks * BLOCK_HEIGHT + within / BLOCK_WIDTH;
-        let from_row = rows * tile.columns + column;
-        // A place beside the grid, or before the first cell of the tile.
-        if column >= tile.columns || from_row < tile.first_column {
-            return along_axes(tile.cells, 0u, 0u);
-        }
-        return along_axes(from_row - tile.first_column, column, tile.first_row + rows);
-    }
     if tile.order == LISTED {
-        let at = tile.blocks + 6u * min(thread, tile.cells - 1u);
+        let at = tile.listed + 6u * min(thread, tile.cells - 1u);
         return Place(
             thread,
             words[at],

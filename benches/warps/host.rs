@@ -34,8 +34,6 @@ struct Flight {
     /// Tiles that have cells left.
     left: Vec<Range<usize>>,
     begun: usize,
-    /// Cells that run in it, at most.
-    bound: usize,
     work: u32,
     took: Duration,
 }
@@ -68,8 +66,8 @@ pub fn sweep(traces: &Traces, columns: usize, choice: Choice, kind: Kind) -> Tal
         while flights.len() < FLIGHTS {
             let mut bound = running + flights.iter().map(|flight| flight.begun).sum::<usize>();
             let mut begun = 0;
-            if sides.len() < choice.sides && bound < pace.tile() / 2 && rest < traces.len() {
-                begun = pace.tile().min(choice.tile).min(traces.len() - rest);
+            if sides.len() < choice.sides && bound < choice.tile.div_ceil(2) && rest < traces.len() {
+                begun = choice.tile.min(traces.len() - rest);
                 let cells = rest..rest + begun;
                 list.extend(tile(traces, columns, cells.clone(), choice));
                 sides.push(Side { cells, since: submitted });
@@ -93,13 +91,13 @@ pub fn sweep(traces: &Traces, columns: usize, choice: Choice, kind: Kind) -> Tal
             let left = sides.iter().map(|side| side.cells.clone()).filter(runs).collect();
             let took = kind.turn * rounds as u32;
             let (running, work) = (list.len(), dispatches * work);
-            flights.push_back(Flight { running, left, begun, bound, work, took });
+            flights.push_back(Flight { running, left, begun, work, took });
             submitted += 1;
         }
         let Some(flight) = flights.pop_front() else { break };
         sides.retain(|side| side.since > heard || flight.left.contains(&side.cells));
         (heard, running) = (heard + 1, flight.running);
-        pace.learn(flight.work, flight.bound, flight.took, Some(flight.took));
+        pace.learn(flight.work, flight.took, Some(flight.took));
     }
     assert!(list.is_empty() && rest == traces.len(), "cells are left");
     card.tally

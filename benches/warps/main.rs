@@ -19,8 +19,8 @@ use fearless_simd::Level;
 use host::Kind;
 use topple::backend::gpu::pace::DISPATCH_TURNS;
 use topple::backend::gpu::pipelines::WORKGROUP;
+use topple::backend::gpu::run::MOST_CELLS;
 use topple::backend::gpu::slots::SIDES;
-use topple::backend::gpu::tile::{BLOCK_HEIGHT, BLOCK_WIDTH};
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
 use topple::model::precision::Precision;
@@ -30,12 +30,10 @@ use topple::scene::{Grid, Parameter, Range, Scene};
 use topple::work::vectors::lanes_of;
 use traces::{AT_ONCE, Purpose, Traces, record, turns};
 
-/// Most cells of a tile: `src/backend/gpu/run.rs`.
-const MOST_CELLS: usize = 1 << 18;
 /// What the shader and its host do.
 const PRESENT: Choice = Choice {
     dispatch: DISPATCH_TURNS,
-    block: (BLOCK_WIDTH, BLOCK_HEIGHT),
+    block: (1, 1),
     workgroup: WORKGROUP,
     refill: None,
     longest_first: false,
@@ -98,7 +96,7 @@ fn choices() -> Vec<(String, Choice)> {
     for dispatch in [32, 64, 96, 192, 256, 512] {
         all.push((format!("dispatches of {dispatch}"), Choice { dispatch, ..PRESENT }));
     }
-    for block in [(1, 1), (4, 8), (2, 16), (1, 32), (8, 8)] {
+    for block in [(8, 4), (2, 16), (1, 32), (8, 8)] {
         let name = format!("blocks of {} x {}", block.0, block.1);
         all.push((name, Choice { block, ..PRESENT }));
     }
@@ -110,7 +108,7 @@ fn choices() -> Vec<(String, Choice)> {
         let name = format!("refilled every {every}");
         all.push((name, Choice { refill: Some(every), ..PRESENT }));
     }
-    for (sides, tile) in [(4, 1 << 17), (8, 1 << 16), (8, 1 << 18)] {
+    for (sides, tile) in [(2, 1 << 18), (2, 1 << 20), (8, 1 << 18)] {
         let name = format!("{sides} tiles of {tile}");
         all.push((name, Choice { sides, tile, ..PRESENT }));
     }

@@ -1,7 +1,7 @@
 //! Runs the same cells on the lanes of a CPU, on a device, or by the reference.
 //!
 //! ```text
-//! request -> ready, cell_run -> (lanes | gpu | by_reference) -> outcomes
+//! request -> ready, cell_run -> (lanes | gpu | by_reference) -> sink
 //! ```
 
 pub mod backend_error;

@@ -64,7 +64,7 @@ impl Backend {
     pub fn batch(&self) -> usize {
         match self {
             #[cfg(feature = "gpu")]
-            Backend::Gpu(_) => 1 << 20,
+            Backend::Gpu(_) => 1 << 24,
             Backend::Cpu => 1 << 17,
             Backend::Reference => 1 << 9,
         }

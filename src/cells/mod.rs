@@ -1,7 +1,7 @@
 //! A scene at one place of its grid: the numbers that a thread gets, and its first state.
 //!
 //! ```text
-//! laws, clock_parts, groups, reader, cache, samples -> plan -> part -> table, cell_tables -> begin, contact -> ready
+//! laws, clock_parts, groups, reader, cache, samples -> plan, cell_list -> part -> table, cell_tables -> begin, contact -> ready
 //! ```
 
 pub(crate) mod at_rest;

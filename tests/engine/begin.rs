@@ -216,24 +216,6 @@ fn a_device_makes_the_cells_of_rows_that_it_cannot_count() {
     }
 }
 
-/// A warp's cells are near neighbours: blocks of 8 columns and 4 rows.
-#[test]
-fn threads_take_cells_in_blocks() {
-    let Some(gpu) = gpu("blocks of cells", Precision::F32) else { return };
-    // All of them lift, for a tilted block does so at once.
-    let mut scene = object(1, 0.2, (1.75, 0.75), 0.5, "0.2:15:32", "0.1:15:32");
-    scene.set(Parameter::Tilt, 0.01);
-    let (plan, grid) = (Plan::new(&scene, DEFAULT_STEP).unwrap(), Grid::of(&scene));
-    let sweeper = Sweeper::new(&gpu, Precision::F32, plan.variant()).unwrap();
-    let made = sweeper.make::<f32>(&plan, &grid, &all(&grid), 0).unwrap();
-    assert_eq!(made.running.len(), grid.len());
-    for group in made.running.chunks(64) {
-        let blocks: std::collections::BTreeSet<u32> =
-            group.iter().map(|cell| cell % 32 / 8 + 4 * (cell / 32 / 4)).collect();
-        assert_eq!(blocks.len(), 2, "{group:?}");
-    }
-}
-
 /// The negative control: a mistake in how the device makes cells shows.
 #[test]
 fn a_mistake_in_making_cells_shows() {
@@ -250,7 +232,7 @@ fn a_mistake_in_making_cells_shows() {
         ("tried += STEPS_A_TRY;", "tried += 2u * STEPS_A_TRY;"),
         ("(*state).extremes.min_contact = -most;", "(*state).extremes.min_contact = most;"),
         ("max(-one, -other) > model.right.arm", "max(one, other) > model.right.arm"),
-        ("block / tile.blocks * BLOCK_HEIGHT", "block / tile.blocks * BLOCK_WIDTH"),
+        ("thread, from_row % tile.columns", "thread, thread % tile.columns"),
     ] {
         assert_eq!(source.matches(right).count(), 1, "{right}");
         let source = source.replace(right, wrong);

@@ -116,8 +116,8 @@ impl<R: Real> Inputs<R> {
         Inputs { model, numbers, motions, tile, by_place, firsts, words, steps, dispatches }
     }
 
-    /// Writes the data of one tile to a side of the device, for the dispatch with a given number. The result is the
-    /// number of threads that make the cells of the tile, and their buffers.
+    /// Writes the data of one tile to a side of the device, for the dispatch with a given number. The result is
+    /// the buffers for making the cells of the tile.
     pub fn begin(
         &self,
         gpu: &OpenDevice,
@@ -126,26 +126,25 @@ impl<R: Real> Inputs<R> {
         (side, number): (usize, u32),
         (all, cells): (&Cells<R>, Range<usize>),
         own: Option<&OwnClocks<R>>,
-    ) -> (usize, BindGroup) {
+    ) -> BindGroup {
         let mut tile = self.tile;
         let mut words = self.words.clone();
         let columns = all.tables.grid().shape().0;
         let numbers = all.tables.cells().part(cells.clone());
-        let threads = self.by_place.then(|| tile.place(columns, numbers)).flatten();
+        let placed = self.by_place && tile.place(columns, numbers).is_some();
         let clocks = match own {
             Some(own) => Some(Cow::Borrowed(&own.numbers)),
-            None if threads.is_none() => Some(Cow::Owned(listed::clocks(all, cells.clone()))),
+            None if !placed => Some(Cow::Owned(listed::clocks(all, cells.clone()))),
             None => None,
         };
         if let Some(clocks) = clocks {
             tile.clock = Layout { first: words.len() as u32, more: 1, ..Layout::default() };
             words.extend_from_slice(&clocks);
         }
-        let threads = threads.unwrap_or_else(|| {
+        if !placed {
             tile.list(cells.len(), words.len(), &self.firsts);
-            words.extend(listed::places(all, cells.clone()));
-            cells.len()
-        });
+            words.extend(listed::places(all, cells));
+        }
         words.resize(words.len().max(1), 0);
         tile.first_slot = (side * slots.tile) as u32;
         tile.slots = (slots.sides.len() * slots.tile) as u32;
@@ -156,7 +155,7 @@ impl<R: Real> Inputs<R> {
         let steps = own.map_or(&self.steps, |own| &own.steps);
         refill(gpu, &mut place.clocks, bytemuck::cast_slice(steps));
         let place = &slots.sides[side];
-        let group = bind(
+        bind(
             gpu,
             &pipelines.begin,
             &[
@@ -171,8 +170,7 @@ impl<R: Real> Inputs<R> {
                 (11, place.words.as_entire_binding()),
                 (12, self.motions.as_entire_binding()),
             ],
-        );
-        (threads, group)
+        )
     }
 }
 

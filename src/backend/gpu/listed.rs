@@ -79,7 +79,7 @@ impl Tile {
     /// Makes this the tile of a given number of listed cells, whose places begin at `listed` in `words`.
     pub fn list(&mut self, cells: usize, listed: usize, firsts: &Firsts) {
         // A tile has fewer than 2^32 cells, and a buffer has fewer words.
-        (self.cells, self.order, self.blocks) = (cells as u32, LISTED, listed as u32);
+        (self.cells, self.order, self.listed) = (cells as u32, LISTED, listed as u32);
         (self.columns, self.first_column, self.first_row) = (0, 0, 0);
         let tables = [
             &mut self.horizontal,

@@ -27,7 +27,7 @@ pub struct Made<R> {
 }
 
 impl Sweeper<'_> {
-    /// Makes cells of a grid in one tile, on one of the two sides, and runs none of them.
+    /// Makes cells of a grid in one tile, on one of the sides, and runs none of them.
     ///
     /// # Errors
     /// Any [`BackendError`].
@@ -41,17 +41,17 @@ impl Sweeper<'_> {
         let (gpu, record) = (self.gpu, plan.record::<R>());
         let all = Cells::of(plan, grid, cells, &record, &Unwatched);
         let own = OwnClocks::of(&all.tables, 0..cells.len());
-        let (slots, inputs, threads, group) = gpu.checked(|| {
+        let (slots, inputs, group) = gpu.checked(|| {
             let mut slots = Slots::new::<R>(gpu, cells.len(), self.events_kept);
             let inputs = Inputs::new(gpu, &self.pipelines, &mut slots, &all, &record);
             let tile = (&all, 0..cells.len());
-            let (threads, group) =
+            let group =
                 inputs.begin(gpu, &self.pipelines, &mut slots, (side, 0), tile, own.as_ref());
-            (slots, inputs, threads, group)
+            (slots, inputs, group)
         })?;
         let order = Order {
             copied: [0; SIDES],
-            begin: Some(Begin { side, cells: cells.len(), threads, group }),
+            begin: Some(Begin { side, cells: cells.len(), group }),
             number: 0,
             dispatches: 0,
             work: 0,

@@ -14,25 +14,17 @@ const MOST_WORK: f64 = 512.0;
 /// are without a cell for longer; with fewer, states are moved more often than necessary. Drivers limit the
 /// iterations of the loops of a shader, the software driver silently at 65,535 for all loops together.
 pub const DISPATCH_TURNS: u32 = 128;
-/// The cells of the first tile on a device about which nothing is known.
-const FIRST_TILE: f64 = 32_768.0;
-/// The fewest cells of a tile.
-const LEAST_TILE: f64 = 8_192.0;
-/// The longest time of a dispatch of two whole tiles.
-const DISPATCH_TIME: Duration = Duration::from_millis(50);
 
 /// The amount of work that a device is given at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pace {
     /// The turns of a cell in a submission.
     work: f64,
-    /// The cells of a tile.
-    tile: f64,
 }
 
 impl Default for Pace {
     fn default() -> Pace {
-        Pace { work: f64::from(FIRST_WORK), tile: FIRST_TILE }
+        Pace { work: f64::from(FIRST_WORK) }
     }
 }
 
@@ -45,26 +37,12 @@ impl Pace {
         (dispatches, work / dispatches)
     }
 
-    /// The cells of the next tile.
-    pub fn tile(&self) -> usize {
-        self.tile as usize
-    }
-
-    /// Records the time that a number of turns of at most a given number of cells took, by the clock of the host and
-    /// by that of the device. The longer time counts: if the clock of a device stands still, the work must not grow
+    /// Records the time that a number of turns took, by the clock of the host and by that of the device. The longer time counts: if the clock of a device stands still, the work must not grow
     /// beyond the limit of a driver.
-    pub fn learn(&mut self, work: u32, cells: usize, host: Duration, device: Option<Duration>) {
+    pub fn learn(&mut self, work: u32, host: Duration, device: Option<Duration>) {
         let took = host.max(device.unwrap_or_default()).as_secs_f64().max(1.0e-6);
-        let work = f64::from(work);
         let ratio = LONGEST.as_secs_f64() / took;
-        self.work = (work * ratio.clamp(0.25, 4.0)).clamp(1.0, MOST_WORK);
-        // A device with few cells does not show how many cells it could run.
-        if cells as f64 >= 0.5 * self.tile {
-            let rate = work * cells as f64 / took;
-            let most = rate * DISPATCH_TIME.as_secs_f64() / (2.0 * f64::from(DISPATCH_TURNS));
-            let ratio = (most / self.tile).clamp(0.25, 4.0);
-            self.tile = (self.tile * ratio).max(LEAST_TILE);
-        }
+        self.work = (f64::from(work) * ratio.clamp(0.25, 4.0)).clamp(1.0, MOST_WORK);
     }
 }
 
@@ -79,7 +57,7 @@ mod tests {
         for (host, device) in [(150, Some(0)), (150, None), (0, Some(150)), (150, Some(150))] {
             let mut pace = Pace::default();
             for _ in 0..20 {
-                pace.learn(256, 1 << 18, host * MILLI, device.map(|device| device * MILLI));
+                pace.learn(256, host * MILLI, device.map(|device| device * MILLI));
             }
             let (dispatches, work) = pace.dispatches();
             assert!(
@@ -91,25 +69,18 @@ mod tests {
 
     #[test]
     fn a_fast_device_is_given_much_and_a_slow_one_little() {
-        let after = |steps_a_second: f64| {
+        let after = |turns_a_second: f64| {
             let mut pace = Pace::default();
             for _ in 0..20 {
                 let (dispatches, work) = pace.dispatches();
-                let cells = 2 * pace.tile();
-                let took = f64::from(dispatches * work) * cells as f64 / steps_a_second;
-                pace.learn(dispatches * work, cells, Duration::from_secs_f64(took), None);
+                let took = f64::from(dispatches * work) / turns_a_second;
+                pace.learn(dispatches * work, Duration::from_secs_f64(took), None);
             }
-            (pace.dispatches(), pace.tile())
+            pace.dispatches()
         };
-        // Tiles grow until a dispatch of two of them takes its longest time; a submission then has as many dispatches
-        // as fit in its own.
-        let (dispatches, tile) = after(1.0e11);
-        let fill = (LONGEST.as_secs_f64() / DISPATCH_TIME.as_secs_f64()) as u32;
-        assert_eq!(dispatches, (fill, DISPATCH_TURNS));
-        assert!(tile > 1 << 18);
-        // At a million steps per second one dispatch would take two seconds.
-        let ((dispatches, work), tile) = after(1.0e6);
-        assert_eq!((dispatches, tile), (1, 8192));
-        assert!((1..8).contains(&work));
+        assert_eq!(after(1.0e5), (MOST_WORK as u32 / DISPATCH_TURNS, DISPATCH_TURNS));
+        // With a tenth of a second for a turn a submission has one.
+        assert_eq!(after(10.0), (1, 1));
+        assert_eq!(after(100.0), (1, 10));
     }
 }

@@ -22,10 +22,11 @@ use crate::stepping::log::Event;
 use crate::stepping::state::State;
 use crate::work::observer::Observer;
 
-/// The most cells of a tile: two such tiles fill any device, and a sweep of a million cells has several.
-const MOST_CELLS: usize = 1 << 18;
+/// The most cells of a tile: the last long cells of a tile keep few threads busy, so that few large tiles waste less
+/// than many small ones.
+pub const MOST_CELLS: usize = 1 << 20;
 /// The same on a software adapter, where the states then fit in the caches of the processor.
-const MOST_CELLS_SOFTWARE: usize = 1 << 15;
+const MOST_CELLS_SOFTWARE: usize = 1 << 14;
 
 /// The outcomes of the cells that a device computed, and the time that it took.
 pub struct DeviceOutcomes<R> {

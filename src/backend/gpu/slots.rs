@@ -1,4 +1,4 @@
-//! The buffers for the cells of two tiles on the device, used again by each tile and each sweep.
+//! The buffers for the cells of some tiles on the device, used again by each tile and each sweep.
 
 use std::any::Any;
 use std::array::from_fn;
@@ -13,18 +13,20 @@ use crate::model::real::Real;
 use crate::stepping::log::Event;
 use crate::stepping::state::State;
 
-/// The number of tiles on the device at once: while one still has its last long cells to run, the next is begun.
-pub const SIDES: usize = 2;
+/// The number of tiles on the device at once: while some still have their last long cells to run, the next is begun.
+pub const SIDES: usize = 4;
 /// The number of submissions that are not finished: while the host reads one, the device runs the next.
 pub const FLIGHTS: usize = 2;
 /// The number of dispatches in the ring of tallies.
 pub const RING: usize = 4;
+/// The number of words in a tally: the cells to run by dispatch, those left by side, the steps, and padding.
+pub const TALLY_WORDS: usize = RING + SIDES + 4;
 /// The size of a tally, bytes.
-pub const TALLY: u64 = 32;
+pub const TALLY: u64 = 4 * TALLY_WORDS as u64;
 /// The distance between the uniform numbers of two dispatches, bytes: every device allows it.
 pub const DISPATCH_STRIDE: u64 = 256;
 
-/// Buffers for two tiles of cells.
+/// Buffers for the tiles of a sweep that are on the device at once.
 pub struct Slots {
     /// The most cells of a tile.
     pub tile: usize,
@@ -102,7 +104,7 @@ const UNIFORM: BufferUsages = BufferUsages::UNIFORM.union(BufferUsages::COPY_DST
 const BACK: BufferUsages = BufferUsages::MAP_READ.union(BufferUsages::COPY_DST);
 
 impl Slots {
-    /// Buffers for two tiles of a given number of cells, with room for `events_kept` switches of each cell.
+    /// Buffers for tiles of a given number of cells, with room for `events_kept` switches of each cell.
     pub fn new<R: Real>(gpu: &OpenDevice, tile: usize, events_kept: usize) -> Slots {
         let slots = (SIDES * tile) as u64;
         let state_size = size_of::<State<R>>() as u64;

@@ -1,5 +1,6 @@
 //! A submission to the device: it makes cells, runs dispatches, and returns a report.
 
+use std::array::from_fn;
 use std::time::{Duration, Instant};
 
 use wgpu::{
@@ -10,7 +11,7 @@ use wgpu::{
 use super::BackendError;
 use super::device::OpenDevice;
 use super::pipelines::{Pipelines, WORKGROUP};
-use super::slots::{DISPATCH_STRIDE, RING, SIDES, Slots, TALLY};
+use super::slots::{DISPATCH_STRIDE, RING, SIDES, Slots, TALLY, TALLY_WORDS};
 
 /// The cells that a submission makes.
 pub struct Begin {
@@ -18,8 +19,6 @@ pub struct Begin {
     pub side: usize,
     /// The number of cells.
     pub cells: usize,
-    /// The number of threads.
-    pub threads: usize,
     /// The buffers that they use.
     pub group: BindGroup,
 }
@@ -50,8 +49,6 @@ pub struct Flight {
     pub number: u32,
     /// The turns of a cell in it.
     pub work: u32,
-    /// The most cells that ran in it.
-    pub running: usize,
     /// The number of cells made in it.
     pub begun: usize,
     /// The number of cells of each side that were copied.
@@ -114,7 +111,6 @@ pub fn submit(
         place,
         number: order.number.wrapping_add(order.dispatches),
         work: order.dispatches * order.work,
-        running: order.running,
         begun: order.begin.as_ref().map_or(0, |begin| begin.cells),
         copied: order.copied,
         submission,
@@ -168,7 +164,7 @@ fn run(
     if let Some(begin) = &order.begin {
         pass.set_pipeline(&pipelines.begin);
         pass.set_bind_group(0, &begin.group, &[]);
-        pass.dispatch_workgroups(begin.threads.div_ceil(WORKGROUP) as u32, 1, 1);
+        pass.dispatch_workgroups(begin.cells.div_ceil(WORKGROUP) as u32, 1, 1);
     }
     pass.set_pipeline(&pipelines.sweep);
     for dispatch in 0..order.dispatches {
@@ -196,16 +192,17 @@ pub fn receive(
     }
     gpu.map(&mapped, Some(flight.submission.clone()))?;
     let view = gpu.view(back)?;
-    let told: [u32; 8] = bytemuck::pod_read_unaligned(&view[..32]);
-    let [began, ended]: [u64; 2] = bytemuck::pod_read_unaligned(&view[32..48]);
+    let (tally, ticks) = view.split_at(TALLY as usize);
+    let tally: [u32; TALLY_WORDS] = bytemuck::pod_read_unaligned(tally);
+    let [began, ended]: [u64; 2] = bytemuck::pod_read_unaligned(&ticks[..16]);
     drop(view);
     back.unmap();
     let tick = f64::from(gpu.queue.get_timestamp_period());
     let pass = Duration::from_nanos((ended.saturating_sub(began) as f64 * tick) as u64);
     Ok(Report {
-        running: told[flight.number as usize % RING] as usize,
-        left: [told[4] as usize, told[5] as usize],
-        steps: told[6],
+        running: tally[flight.number as usize % RING] as usize,
+        left: from_fn(|side| tally[RING + side] as usize),
+        steps: tally[RING + SIDES],
         device: (flight.timed && gpu.has_clock()).then_some(pass),
         host: since.max(flight.submitted).elapsed(),
     })

@@ -50,11 +50,10 @@ pub struct Tile {
     pub first_column: u32,
     /// The row of the first cell; 0 for a list.
     pub first_row: u32,
-    /// [`IN_ORDER`], [`IN_BLOCKS`] or [`LISTED`].
+    /// [`IN_ORDER`] or [`LISTED`].
     pub order: u32,
-    /// The number of blocks in a row of the grid; for [`LISTED`] the place in `words` of the places of the first
-    /// cell.
-    pub blocks: u32,
+    /// For [`LISTED`] the place in `words` of the places of the first cell.
+    pub listed: u32,
     /// The first slot of the tile.
     pub first_slot: u32,
     /// The number of slots of all tiles.
@@ -105,21 +104,13 @@ impl Layout {
 
 /// The cells follow one another in the grid, and threads take them in this order.
 pub const IN_ORDER: u32 = 0;
-/// The cells follow one another, and threads take them in blocks.
-pub const IN_BLOCKS: u32 = 1;
 /// A list holds the places of each cell along all axes; [in this list](super::listed) they are numbers of entries.
-pub const LISTED: u32 = 2;
-
-/// The number of columns of a block of cells: the cells of a warp are close together and take similar steps.
-pub const BLOCK_WIDTH: usize = 8;
-/// The number of rows of a block.
-pub const BLOCK_HEIGHT: usize = 4;
+pub const LISTED: u32 = 1;
 
 impl Tile {
-    /// Puts cells that follow one another in a grid with a given number of columns in the tile. The result is the
-    /// number of threads that make them; none where the cells do not follow one another, and where the device cannot
-    /// count so many rows.
-    pub fn place(&mut self, columns: usize, cells: CellList) -> Option<usize> {
+    /// Puts cells that follow one another in a grid with a given number of columns in the tile; none where the cells do
+    /// not follow one another, and where the device cannot count so many rows.
+    pub fn place(&mut self, columns: usize, cells: CellList) -> Option<()> {
         let first = cells.first_of_consecutive()?;
         let (first_column, first_row) = (first % columns, first / columns);
         let rows = (first_column + cells.len()).div_ceil(columns);
@@ -132,15 +123,8 @@ impl Tile {
         // An axis has fewer than 2^32 values.
         self.columns = columns as u32;
         (self.first_column, self.first_row) = (first_column as u32, first_row as u32);
-        let blocks = columns.div_ceil(BLOCK_WIDTH);
-        let threads = rows.div_ceil(BLOCK_HEIGHT) * blocks * BLOCK_HEIGHT * BLOCK_WIDTH;
-        // Blocks are not used where most of them would lie beside the grid, or before or after the cells.
-        if threads <= 2 * cells.len() {
-            (self.order, self.blocks) = (IN_BLOCKS, blocks as u32);
-            return Some(threads);
-        }
-        (self.order, self.blocks) = (IN_ORDER, 0);
-        Some(cells.len())
+        (self.order, self.listed) = (IN_ORDER, 0);
+        Some(())
     }
 }
 

@@ -1,12 +1,13 @@
-//! Tiles of cells, two on the device at once.
+//! Tiles of cells, some on the device at once.
 //!
-//! The running cells of both tiles are in one list. It is made again after every dispatch, so that every thread has a
+//! The running cells of all of them are in one list. It is made again after every dispatch, so that every thread has a
 //! cell, even where cells have very different lengths. When few cells run, those of the next tile are made and join
 //! them. A tile whose last cell is done is read while the device continues.
 //!
 //! All cells of the list get their turns in every dispatch, so that their order does not matter. Long cells end last,
 //! together with the first cells of the next tile.
 
+use std::array::from_fn;
 use std::collections::VecDeque;
 use std::ops::Range;
 use std::time::{Duration, Instant};
@@ -87,8 +88,8 @@ impl<'a, R: Real> Tiles<'a, R> {
             sink,
             rest: 0..cells,
             most_cells,
-            sides: [None, None],
-            copied: [None, None],
+            sides: from_fn(|_| None),
+            copied: from_fn(|_| None),
             flights: VecDeque::with_capacity(FLIGHTS),
             submitted: 0,
             heard: 0,
@@ -149,7 +150,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         }
         let bound = self.bound();
         let free = self.sides.iter().position(Option::is_none);
-        let few = bound < self.slots.pace.tile() / 2;
+        let few = bound < self.most_cells.div_ceil(2);
         let begin = match free {
             Some(side) if few && !self.rest.is_empty() => Some(self.begin(side)?),
             _ => None,
@@ -170,7 +171,7 @@ impl<'a, R: Real> Tiles<'a, R> {
 
     /// Prepares the next tile on a side.
     fn begin(&mut self, side: usize) -> Result<Begin, BackendError> {
-        let count = self.slots.pace.tile().min(self.most_cells).min(self.rest.len());
+        let count = self.most_cells.min(self.rest.len());
         let cells = self.rest.start..self.rest.start + count;
         let tables = &self.all.tables;
         let own = OwnClocks::of(tables, cells.clone());
@@ -179,7 +180,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             None => tables.longest(),
         };
         let (gpu, number) = (self.gpu, self.dispatches);
-        let (threads, group) = gpu.checked(|| {
+        let group = gpu.checked(|| {
             let tile = (self.all, cells.clone());
             self.inputs.begin(gpu, self.pipelines, self.slots, (side, number), tile, own.as_ref())
         })?;
@@ -196,7 +197,7 @@ impl<'a, R: Real> Tiles<'a, R> {
         });
         self.begun += 1;
         self.rest.start += count;
-        Ok(Begin { side, cells: count, threads, group })
+        Ok(Begin { side, cells: count, group })
     }
 
     /// Updates the tiles from the report of a submission.
@@ -221,7 +222,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             if self.running > 0 && (steps == 0 || self.all_steps > self.most_steps) {
                 return Err(BackendError::Unfinished(self.running));
             }
-            self.slots.pace.learn(flight.work, flight.running, report.host, report.device);
+            self.slots.pace.learn(flight.work, report.host, report.device);
         }
         Ok(())
     }

@@ -135,7 +135,7 @@ COMPARE = """async ([file, spoiled]) => {
       for (const name of ['horizontal', 'vertical', 'drive']) add(name, differ(reals(own[name].entries), tables[name]));
       if (tables.clocks !== null) add('clocks', own.ownClocks ? -1 : differ(stepWords(own.clocks.entries), tables.clocks));
       // As the device makes them of the tables.
-      const tile = tileOf(own, 2 * cells.length);
+      const tile = tileOf(own);
       const loaded = new LoadedTile(device, await device.pipelines(part.plan.constants), tile, samplesOf(part.plan.record), cells.length);
       const encoder = device.gpu.createCommandEncoder();
       loaded.encodeBegin(encoder);
@@ -205,7 +205,7 @@ RANDOM = """async () => {
     for (const [k, { plan, cells }] of parts.entries()) {
       const { cells: numbers, tables } = theirs[k];
       const own = new CellTables(plan, scene.grid, { first: 0, count: numbers.length, list: cells && numbers });
-      const tile = tileOf(own, 2 * numbers.length);
+      const tile = tileOf(own);
       // The kernel that makes cells depends on no constant of the model.
       const variant = await device.pipelines({ workgroup_size: known.workgroup });
       const loaded = new LoadedTile(device, variant, tile, samplesOf(plan.record), numbers.length);

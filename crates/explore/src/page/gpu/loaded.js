@@ -3,10 +3,11 @@
 
 import { EngineError, heed } from './errors.js';
 import { known } from './known.js';
+import { SIDES } from './tile.js';
 
 // Dispatches in the ring of tallies, the bytes of a tally, and the way from one dispatch's uniform numbers to the next one's.
 const RING = 4;
-const TALLY = 32;
+const TALLY = 4 * (RING + SIDES + 4);
 const STRIDE = 256;
 
 // A tile's buffers on the device; `free` lets go of them.
@@ -14,8 +15,7 @@ export class LoadedTile {
   constructor(device, pipelines, tile, record, count) {
     const { STORAGE, UNIFORM, COPY_SRC, MAP_READ } = GPUBufferUsage;
     const both = STORAGE | COPY_SRC;
-    // The shader has two tiles' slots; the second one's cells are none here.
-    const slots = 2 * count;
+    const slots = SIDES * count;
     const of = {
       model: device.buffer('model', tile.models.subarray(0, known.words_of.model), UNIFORM),
       bodies: device.buffer('bodies', tile.models, STORAGE),
@@ -68,7 +68,7 @@ export class LoadedTile {
     const pass = encoder.beginComputePass();
     pass.setPipeline(this.pipelines.begin);
     pass.setBindGroup(0, this.begin);
-    pass.dispatchWorkgroups(Math.ceil(this.tile.threads / known.workgroup));
+    pass.dispatchWorkgroups(Math.ceil(this.count / known.workgroup));
     pass.end();
   }
 
@@ -92,7 +92,7 @@ export class LoadedTile {
     encoder.copyBufferToBuffer(this.of.tally, 0, this.of.back, 0, TALLY);
     this.device.gpu.queue.submit([encoder.finish()]);
     const tally = new Uint32Array(await this.device.read(this.of.back, TALLY));
-    return { running: tally[this.number % RING], steps: tally[6] };
+    return { running: tally[this.number % RING], steps: tally[RING + SIDES] };
   }
 
   // The contents of one of its buffers, in words.

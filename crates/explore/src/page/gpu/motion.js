@@ -128,7 +128,7 @@ export async function motionOf(device, scene, signal) {
   // A motion goes on to its end, proved or not.
   const pipelines = await device.pipelines({ ...plan.constants, certificate: 0 });
   const tables = new CellTables(plan, grid, { first: 0, count: 1, list: null });
-  const tile = tileOf(tables, 2);
+  const tile = tileOf(tables);
   const clock = tile.clockOf(0);
   const loaded = await device.checked(() => new LoadedTile(device, pipelines, tile, samplesOf(plan.record), 1));
   let words;

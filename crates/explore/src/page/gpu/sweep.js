@@ -20,7 +20,7 @@ function* tilesOf({ plan, cells }, grid, pace) {
     here = Math.min(pace.tile, count - first);
     const list = cells === null ? null : cells.slice(first, first + here);
     const tables = new CellTables(plan, grid, { first, count: here, list });
-    yield { first, tables, tile: tileOf(tables, 2 * here), count: here };
+    yield { first, tables, tile: tileOf(tables), count: here };
   }
 }
 

@@ -21,7 +21,7 @@ const FIELDS = [
   'first_column',
   'first_row',
   'order',
-  'blocks',
+  'listed',
   'first_slot',
   'slots',
   'number',
@@ -30,11 +30,11 @@ const FIELDS = [
   'padding_2',
 ];
 
+// Tiles that the shader has slots for; only the first one has cells here.
+export const SIDES = 4;
+
 const IN_ORDER = 0;
-const IN_BLOCKS = 1;
-const LISTED = 2;
-const BLOCK_WIDTH = 8;
-const BLOCK_HEIGHT = 4;
+const LISTED = 1;
 
 // Words that the device counts to.
 const WORDS = 2 ** 32;
@@ -52,22 +52,15 @@ function listedLayout(axis, first, size) {
   return [first, ...Array.from({ length: AXES }, (_, k) => (k === axis ? size : 0)), 0];
 }
 
-// How threads take cells that follow one another: the threads, the order and the blocks of a row; null where cells do not, and
-// where the device cannot count so many rows.
+// True where threads take cells in their order: they follow one another, and the device can count the rows.
 function placed({ columns }, { first, count, list }) {
-  if (list) return null;
-  const blocks = Math.ceil(columns / BLOCK_WIDTH);
   const rows = Math.ceil(((first % columns) + count) / columns);
-  if (Math.floor(first / columns) + rows >= WORDS || (first % columns) + count >= WORDS) return null;
-  const threads = Math.ceil(rows / BLOCK_HEIGHT) * blocks * BLOCK_HEIGHT * BLOCK_WIDTH;
-  // Blocks that are mostly beside the grid, or before or after the cells, are not worth it.
-  if (threads <= 2 * count) return { threads, order: IN_BLOCKS, blocks };
-  return { threads: count, order: IN_ORDER, blocks: 0 };
+  return !list && Math.floor(first / columns) + rows < WORDS && (first % columns) + count < WORDS;
 }
 
 // All that the device needs to make the cells of tables: the tables' numbers, the clocks, the words, the tile; and the clock of
-// each cell for the host. `slots` are the slots of the buffers.
-export function tileOf(tables, slots) {
+// each cell for the host.
+export function tileOf(tables) {
   const { grid, cells } = tables;
   const numbers = [];
   const begin = { bodies: [0, 1] };
@@ -80,7 +73,7 @@ export function tileOf(tables, slots) {
   for (const body of tables.bodies.entries) numbers.push(...body.lever);
   const placeAt = (k) => grid.place(cells.cell(k));
   const byPlace = [...LISTED_TABLES, 'clocks'].every((name) => tables[name]?.byPlace ?? true);
-  const place = byPlace ? placed(grid, cells) : null;
+  const place = byPlace && placed(grid, cells);
   const layouts = {};
   LISTED_TABLES.forEach((name, axis) => {
     layouts[name] = place ? layoutOf(tables[name], ...begin[name]) : listedLayout(axis, ...begin[name]);
@@ -108,9 +101,9 @@ export function tileOf(tables, slots) {
     columns: place ? grid.columns : 0,
     first_column: place ? cells.first % grid.columns : 0,
     first_row: place ? Math.floor(cells.first / grid.columns) : 0,
-    order: place ? place.order : LISTED,
-    blocks: place ? place.blocks : words.length,
-    slots,
+    order: place ? IN_ORDER : LISTED,
+    listed: place ? 0 : words.length,
+    slots: SIDES * cells.count,
   };
   const none = Array(LAYOUT_WORDS).fill(0);
   const tile = Uint32Array.from([...LAYOUTS.flatMap((name) => layouts[name] ?? none), ...FIELDS.map((name) => fields[name] ?? 0)]);
@@ -119,7 +112,6 @@ export function tileOf(tables, slots) {
   allWords.set(listed, words.length);
   return {
     tile,
-    threads: place ? place.threads : cells.count,
     numbers: Float32Array.from(numbers),
     models: Float32Array.from(tables.bodies.entries.flatMap((body) => body.model)),
     clocks: stepWords(clocks),
