@@ -6,14 +6,15 @@ use serde::{Deserialize, Serialize};
 
 use super::applies::Choice;
 use super::numbers::Numbers;
-use super::parameters::{ACCEPTED, Parameter};
+use super::parameters::Parameter;
+use super::record::ACCEPTED;
 use super::record::treatment::GAP;
 use super::record::turned::turned;
 use super::record::{Pair, Provenance, Record, RecordFile, RecordHints, Treatment, Units};
 use super::record::{joined, read};
 use super::{SceneError, Values, positive};
+use crate::Written;
 use crate::model::pulse::Shape;
-use crate::written::Written;
 
 /// The excitation of the base.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
