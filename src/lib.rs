@@ -75,9 +75,10 @@ pub use results::shard::{Shard, ShardError};
 pub use results::size::FileSizes;
 pub use results::store_error::StoreError;
 pub use results::tally::Tally;
-pub use scene::excitation::RecordText;
 pub use scene::grid::Axis;
-pub use scene::record::{Pair, Provenance, Record, RecordFile, Units, Written, written};
+pub use scene::record::{
+    Pair, Provenance, Record, RecordFile, RecordText, Units, Written, written,
+};
 pub use scene::{
     Device, Directions, Excitation, Grid, Numbers, Overturn, Parameter, Pressure, Range, Scene,
     SceneBuilder, SceneError, Values,

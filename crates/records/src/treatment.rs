@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Baseline, SceneError};
+use super::Baseline;
 
 /// Zeros between two records that follow one another by default, s.
 pub const GAP: f64 = 30.0;
@@ -43,41 +43,5 @@ impl Treatment {
     /// True where nothing is made of a record.
     pub fn is_none(&self) -> bool {
         *self == Treatment::default()
-    }
-
-    /// The keys of numbers and their values, as far as they are given.
-    pub fn given(&self) -> impl Iterator<Item = (&'static str, f64)> {
-        let all = [
-            ("azimuth", self.azimuth),
-            ("horizontal_azimuth", self.horizontal_azimuth),
-            ("horizontal_2_azimuth", self.horizontal_2_azimuth),
-            ("join_gap", self.join_gap),
-            ("floor_period", self.floor_period),
-            ("floor_damping", self.floor_damping),
-            ("floor_factor", self.floor_factor),
-        ];
-        all.into_iter().filter_map(|(key, value)| value.map(|value| (key, value)))
-    }
-
-    /// Checks the numbers alone.
-    ///
-    /// # Errors
-    /// The key of an invalid one.
-    pub fn check(&self) -> Result<(), SceneError> {
-        for (key, value) in self.given() {
-            let (holds, must) = match key {
-                "azimuth" | "horizontal_azimuth" | "horizontal_2_azimuth" => {
-                    ((0.0..=360.0).contains(&value), "be from 0 to 360 degrees")
-                }
-                "join_gap" => ((0.0..=3600.0).contains(&value), "be from 0 to 3600 s"),
-                "floor_period" => ((0.01..=20.0).contains(&value), "be from 0.01 to 20 s"),
-                "floor_damping" => ((0.0..1.0).contains(&value), "be at least 0 and below 1"),
-                _ => ((-10.0..=10.0).contains(&value), "be from -10 to 10"),
-            };
-            if !holds {
-                return Err(SceneError::new(key, format!("{value} must {must}")));
-            }
-        }
-        Ok(())
     }
 }
