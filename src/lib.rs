@@ -55,7 +55,6 @@ pub mod scene;
 pub mod stepping;
 pub mod sweep;
 pub mod work;
-pub mod written;
 
 pub use backend::backend_error::BackendError;
 pub use backend::description::AdapterDescription;
@@ -76,9 +75,10 @@ pub use results::shard::{Shard, ShardError};
 pub use results::size::FileSizes;
 pub use results::store_error::StoreError;
 pub use results::tally::Tally;
-pub use scene::excitation::RecordText;
 pub use scene::grid::Axis;
-pub use scene::record::{Provenance, Record, RecordFile, Units, pair::Pair};
+pub use scene::record::{
+    Pair, Provenance, Record, RecordFile, RecordText, Units, Written, written,
+};
 pub use scene::{
     Device, Directions, Excitation, Grid, Numbers, Overturn, Parameter, Pressure, Range, Scene,
     SceneBuilder, SceneError, Values,
@@ -96,4 +96,3 @@ pub use sweep::settings::{Method, RunSettings, Saving, VerifySettings};
 pub use sweep::shards_error::ShardsError;
 pub use sweep::verification::{Difference, Region, Verdict, Verification};
 pub use work::observer::{Observer, Phase, Unwatched};
-pub use written::Written;

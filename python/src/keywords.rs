@@ -8,13 +8,13 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyBool, PyByteArray, PyBytes, PyDict, PyType};
 use serde_json::{Map, Value, json};
 use topple::results::column_set::ColumnSet;
-use topple::scene::excitation::RecordText;
 use topple::scene::keys;
 use topple::scene::parameters::Section;
 use topple::scene::path_text::PathText;
 use topple::scene::record::RecordHints;
+use topple::scene::record::keys::{Place, RecordKey};
 use topple::scene::record::{
-    Baseline, Pair, Provenance, Record, Stated, joined, missing, synthetic,
+    Baseline, Pair, Provenance, Record, RecordText, Stated, joined, missing, synthetic,
 };
 use topple::sweep::settings::VerifySettings;
 use topple::work::threads::{Threads, too_many};
@@ -249,17 +249,18 @@ fn word(section: Section, key: &str, value: &Bound<'_, PyAny>) -> PyResult<Value
     let word = match key {
         "object" => json!(taken_number::<u32>(key, value, "the number of a block, from 1 on")?),
         "force" => json!(taken::<bool>(key, value, "True or False")?),
-        "dt" | "join_gap" | "floor_period" => {
-            json!(taken_number::<f64>(key, value, "a number of seconds")?)
-        }
-        "azimuth" | "horizontal_azimuth" | "horizontal_2_azimuth" => {
-            json!(taken_number::<f64>(key, value, "a number of degrees")?)
-        }
-        "floor_damping" | "floor_factor" => json!(taken_number::<f64>(key, value, "a number")?),
-        "horizontal" | "vertical" | "horizontal_2" | "join" | "join_vertical" => {
-            json!(PathText(taken(key, value, "a path")?))
-        }
-        _ => json!(taken::<String>(key, value, "a word")?),
+        _ => match RecordKey::named(key).map(|own| (own.place, own.value)) {
+            Some((Place::File(_), _)) => json!(PathText(taken(key, value, "a path")?)),
+            Some((Place::Number(..), unit)) => {
+                let expected = match unit {
+                    "S" => "a number of seconds",
+                    "DEG" => "a number of degrees",
+                    _ => "a number",
+                };
+                json!(taken_number::<f64>(key, value, expected)?)
+            }
+            _ => json!(taken::<String>(key, value, "a word")?),
+        },
     };
     let alone = json!({ section.key(): { key: &word } });
     let found: Result<SceneBuilder, _> = serde_json::from_value(alone);

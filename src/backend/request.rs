@@ -7,7 +7,7 @@ use super::backend_error::BackendError;
 use super::gpu::{adapter, opened::Gpu};
 use super::ready::Backend;
 use crate::model::precision::Precision;
-use crate::written::written;
+use crate::written;
 
 written! {
     /// The backend that a user requests.

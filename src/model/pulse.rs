@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::excitation::Cell;
 use super::number::Number;
 use super::real::Vector;
-use crate::written::{Written, written};
+use crate::{Written, written};
 
 written! {
     /// The shape of a pulse.

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::colour::Colour;
 use super::palette::{CURVES, FALLEN, FEASIBLE, Kind, LIMITS, MANY, STATES};
-use crate::written::written;
+use crate::written;
 
 written! {
     /// The colours of pictures.

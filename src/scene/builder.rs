@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use super::applies::{Choice, ShakenBy};
-use super::excitation::{self, Excitation, RecordText};
+use super::excitation::{self, Excitation};
 use super::numbers::Numbers;
 use super::parameters::Parameter;
-use super::record::Pair;
 use super::record::text::printable;
+use super::record::{Pair, RecordText};
 use super::{Directions, Overturn, Pressure, Scene, SceneError, Values};
 use super::{block, check, isolation, shown};
 use crate::model::pulse::Shape;

@@ -5,7 +5,8 @@ use super::device::{self, OF_MASS, ROUNDING, together};
 use super::excitation::Excitation;
 use super::grid::AXES;
 use super::numbers::Numbers;
-use super::parameters::{ACCEPTED, ALTERNATIVES, Entry, Parameter};
+use super::parameters::{ALTERNATIVES, Entry, Parameter};
+use super::record::ACCEPTED;
 use super::{Grid, LONGEST_TITLE, Scene, SceneError, Values};
 
 /// Most cells of a grid.

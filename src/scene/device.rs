@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::numbers::{Numbers, Point};
 use super::parameters::Parameter;
 use super::{GRAVITY, SceneError};
-use crate::written::written;
+use crate::written;
 
 written! {
     /// The vertical force on a friction pendulum.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::written::written;
+use crate::written;
 
 written! {
     /// The directions in which the base moves.

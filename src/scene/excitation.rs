@@ -6,14 +6,15 @@ use serde::{Deserialize, Serialize};
 
 use super::applies::Choice;
 use super::numbers::Numbers;
-use super::parameters::{ACCEPTED, Parameter};
+use super::parameters::Parameter;
+use super::record::ACCEPTED;
 use super::record::treatment::GAP;
 use super::record::turned::turned;
-use super::record::{Pair, Provenance, Record, RecordFile, RecordHints, Treatment, Units};
+use super::record::{Pair, Provenance, Record, RecordFile, RecordHints, RecordText, Treatment};
 use super::record::{joined, read};
-use super::{SceneError, Values, positive};
+use super::{SceneError, Values};
+use crate::Written;
 use crate::model::pulse::Shape;
-use crate::written::Written;
 
 /// The excitation of the base.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -45,119 +46,6 @@ impl Excitation {
             Excitation::Pulse(_) => None,
             Excitation::Record(pair) => Some(pair),
         }
-    }
-}
-
-/// The record as written, but for its numbers.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct RecordText {
-    /// Horizontal record: AT2, COSMOS, CSMIP, SMC, K-NET, ESM, GeoNet, AFAD, BBP, SAC, one or two columns [default: a
-    /// synthetic pair]
-    pub horizontal: Option<PathBuf>,
-    /// Vertical record, positive up
-    pub vertical: Option<PathBuf>,
-    /// The channel of the horizontal record's file, where it has several: its number or its direction
-    pub horizontal_channel: Option<String>,
-    /// That of the vertical record's
-    pub vertical_channel: Option<String>,
-    /// The second horizontal component, at a right angle to the first, which `azimuth` needs
-    pub horizontal_2: Option<PathBuf>,
-    /// The channel of its file
-    pub horizontal_2_channel: Option<String>,
-    /// The record that follows: its horizontal component
-    pub join: Option<PathBuf>,
-    /// Vertical component of the second record
-    pub join_vertical: Option<PathBuf>,
-    /// What is made of the components
-    pub treatment: Treatment,
-    /// Time between samples, s, if a file does not state it
-    pub dt: Option<f64>,
-    /// Units of the values, if a file does not state them
-    pub units: Option<Units>,
-}
-
-impl RecordText {
-    /// The first key that is given; `horizontal` where none is.
-    pub fn first_key(&self) -> &'static str {
-        let given = [
-            ("horizontal", self.horizontal.is_some()),
-            ("vertical", self.vertical.is_some()),
-            ("horizontal_channel", self.horizontal_channel.is_some()),
-            ("vertical_channel", self.vertical_channel.is_some()),
-            ("dt", self.dt.is_some()),
-            ("units", self.units.is_some()),
-        ];
-        let first = given.into_iter().find(|(_, given)| *given).map(|(key, _)| key);
-        first.or_else(|| self.treated_key()).unwrap_or("horizontal")
-    }
-
-    /// The first key that makes another motion of the record, where one is given.
-    pub fn treated_key(&self) -> Option<&'static str> {
-        self.treated_keys().next().or_else(|| self.treatment.baseline.map(|_| "baseline"))
-    }
-
-    /// The keys of further files and of numbers that make another motion of the record, as far as they are given.
-    fn treated_keys(&self) -> impl Iterator<Item = &'static str> {
-        let files = [
-            ("horizontal_2", self.horizontal_2.is_some()),
-            ("horizontal_2_channel", self.horizontal_2_channel.is_some()),
-            ("join", self.join.is_some()),
-            ("join_vertical", self.join_vertical.is_some()),
-        ];
-        let files = files.into_iter().filter(|(_, given)| *given).map(|(key, _)| key);
-        files.chain(self.treatment.given().map(|(key, _)| key))
-    }
-
-    /// Refuses what says nothing without another key.
-    fn check_treatment(&self) -> Result<(), SceneError> {
-        self.treatment.check()?;
-        let Treatment { azimuth, floor_period, .. } = self.treatment;
-        let needs = |key: &str| match key {
-            "horizontal_2_channel" | "azimuth" => (self.horizontal_2.is_none(), "horizontal_2"),
-            "horizontal_2" | "horizontal_azimuth" | "horizontal_2_azimuth" => {
-                (azimuth.is_none(), "azimuth")
-            }
-            "join_gap" | "join_vertical" => (self.join.is_none(), "join"),
-            "floor_damping" | "floor_factor" => (floor_period.is_none(), "floor_period"),
-            _ => (false, ""),
-        };
-        for key in self.treated_keys() {
-            if let (true, other) = needs(key) {
-                let problem = format!("it says nothing without `{other}`; give that, too");
-                return Err(SceneError::new(key, problem));
-            }
-        }
-        if azimuth.is_some() && self.join.is_some() {
-            let problem = "a record that is turned and followed by another is not made; turn both apart, or leave \
-                           `azimuth` out";
-            return Err(SceneError::new("join", problem));
-        }
-        Ok(())
-    }
-
-    /// The files that a record came from, where they lie now: where they lay, or by their names in one of some
-    /// folders.
-    ///
-    /// # Errors
-    /// A file that is not there, or has changed, and what to do.
-    pub fn found(record: &Provenance, folders: &[&Path]) -> Result<RecordText, String> {
-        let place =
-            |file: &Option<RecordFile>| file.as_ref().map(|file| file.find(folders)).transpose();
-        let channel =
-            |file: &Option<RecordFile>| file.as_ref().and_then(|file| file.channel.clone());
-        Ok(RecordText {
-            horizontal: Some(record.horizontal.find(folders)?),
-            vertical: place(&record.vertical)?,
-            horizontal_channel: record.horizontal.channel.clone(),
-            vertical_channel: channel(&record.vertical),
-            horizontal_2: place(&record.horizontal_2)?,
-            horizontal_2_channel: channel(&record.horizontal_2),
-            join: place(&record.join)?,
-            join_vertical: place(&record.join_vertical)?,
-            treatment: record.treatment,
-            dt: record.dt,
-            units: record.units,
-        })
     }
 }
 
@@ -195,8 +83,8 @@ pub fn check_record(
     directory: &Path,
     force: bool,
 ) -> Result<Pair, SceneError> {
-    text.check_treatment()?;
-    let hints = hints_of(text, numbers, force)?;
+    text.check()?;
+    let hints = hints_of(text, numbers, force);
     if let (None, Some(_)) = (&text.vertical, &text.vertical_channel) {
         return Err(SceneError::new(
             "vertical_channel",
@@ -239,29 +127,26 @@ pub(super) fn check_motion(
     directory: &Path,
     force: bool,
 ) -> Result<Pair, SceneError> {
-    text.check_treatment()?;
+    text.check()?;
     if text.horizontal_2.is_some() {
         let problem =
             "the motion at hand has one horizontal component; give `horizontal` as a file";
         return Err(SceneError::new("horizontal_2", problem));
     }
-    let hints = hints_of(text, numbers, force)?;
+    let hints = hints_of(text, numbers, force);
     treated(pair, (text, numbers), &hints, directory, force)
 }
 
 /// What is said of all files of a record.
-fn hints_of(text: &RecordText, numbers: &Numbers, force: bool) -> Result<RecordHints, SceneError> {
-    if let Some(dt) = text.dt {
-        positive("dt", dt)?;
-    }
-    Ok(RecordHints {
+fn hints_of(text: &RecordText, numbers: &Numbers, force: bool) -> RecordHints {
+    RecordHints {
         dt: text.dt,
         units: text.units,
         scaled: numbers.get(Parameter::Pga).is_some(),
         force,
         baseline: text.treatment.baseline,
         ..RecordHints::default()
-    })
+    }
 }
 
 /// The key of a file, the file, and its channel.

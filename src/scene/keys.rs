@@ -7,9 +7,10 @@ use serde::ser::{SerializeMap, Serializer};
 use serde::{Deserialize, Serialize};
 
 use super::builder::SceneBuilder;
-use super::excitation::RecordText;
 use super::parameters::{Parameter, Section};
 use super::path_text::PathText;
+use super::record::RecordText;
+use super::record::keys::{Place, RECORD_KEYS, RecordKey};
 use super::values::Values;
 
 /// A key of a section.
@@ -18,33 +19,28 @@ enum Key {
     Number(Parameter),
     /// One of [`WORDS`].
     Word(&'static str),
+    Record(&'static RecordKey),
 }
 
-/// What is done with the place of a key: of the scene, of its record, of a path of the record, or of a switch.
+/// What is done with the place of a key: of the scene, or of a switch of it.
 macro_rules! place {
-    (read $scene:ident $map:ident scene $($field:ident).+) => {
-        $scene.$($field).+ = Some($map.next_value()?)
+    (read $scene:ident $map:ident scene $field:ident) => {
+        $scene.$field = Some($map.next_value()?)
     };
-    (read $scene:ident $map:ident record $($field:ident).+) => {
-        $scene.record.get_or_insert_default().$($field).+ = Some($map.next_value()?)
+    (read $scene:ident $map:ident switch $field:ident) => {
+        $scene.$field = $map.next_value()?
     };
-    (read $scene:ident $map:ident path $field:ident) => {
-        $scene.record.get_or_insert_default().$field = Some($map.next_value::<PathText>()?.0)
+    (value $scene:ident scene $field:ident) => {
+        &$scene.$field
     };
-    (read $scene:ident $map:ident switch $field:ident) => { $scene.$field = $map.next_value()? };
-    (value $scene:ident scene $($field:ident).+) => { &$scene.$($field).+ };
-    (value $scene:ident record $($field:ident).+) => {
-        &$scene.record.as_ref().and_then(|record| record.$($field).+.as_ref())
+    (value $scene:ident switch $field:ident) => {
+        &$scene.$field.then_some(true)
     };
-    (value $scene:ident path $field:ident) => {
-        &$scene.record.as_ref().and_then(|record| record.$field.clone()).map(PathText)
-    };
-    (value $scene:ident switch $field:ident) => { &$scene.$field.then_some(true) };
 }
 
-/// The keys that are no numbers of the table, each with its section and its place.
+/// The keys that are no numbers of the table and none of a record, each with its section and its place.
 macro_rules! keys {
-    ($($section:ident $key:literal: $kind:ident $($field:ident).+;)*) => {
+    ($($section:ident $key:literal: $kind:ident $field:ident;)*) => {
         const WORDS: &[(Section, &str)] = &[$((Section::$section, $key)),*];
 
         /// Reads the value of a word into its place.
@@ -54,7 +50,7 @@ macro_rules! keys {
             map: &mut A,
         ) -> Result<(), A::Error> {
             match word {
-                $($key => place!(read scene map $kind $($field).+),)*
+                $($key => place!(read scene map $kind $field),)*
                 _ => {}
             }
             Ok(())
@@ -63,7 +59,7 @@ macro_rules! keys {
         /// True of a word that has a value.
         fn is_given(word: &str, scene: &SceneBuilder) -> bool {
             match word {
-                $($key => place!(value scene $kind $($field).+).is_some(),)*
+                $($key => place!(value scene $kind $field).is_some(),)*
                 _ => false,
             }
         }
@@ -75,7 +71,7 @@ macro_rules! keys {
             map: &mut M,
         ) -> Result<(), M::Error> {
             match word {
-                $($key => entry(map, word, place!(value scene $kind $($field).+)),)*
+                $($key => entry(map, word, place!(value scene $kind $field)),)*
                 _ => Ok(()),
             }
         }
@@ -87,33 +83,44 @@ keys! {
     Base "isolation": scene isolation;
     Base "pressure": scene pressure;
     Pulse "shape": scene shape;
-    Record "horizontal": path horizontal;
-    Record "vertical": path vertical;
-    Record "horizontal_channel": record horizontal_channel;
-    Record "vertical_channel": record vertical_channel;
-    Record "dt": record dt;
-    Record "units": record units;
-    Record "horizontal_2": path horizontal_2;
-    Record "horizontal_2_channel": record horizontal_2_channel;
-    Record "azimuth": record treatment.azimuth;
-    Record "horizontal_azimuth": record treatment.horizontal_azimuth;
-    Record "horizontal_2_azimuth": record treatment.horizontal_2_azimuth;
-    Record "join": path join;
-    Record "join_vertical": path join_vertical;
-    Record "join_gap": record treatment.join_gap;
-    Record "floor_period": record treatment.floor_period;
-    Record "floor_damping": record treatment.floor_damping;
-    Record "floor_factor": record treatment.floor_factor;
-    Record "baseline": record treatment.baseline;
     Run "overturn": scene overturn;
     Run "force": switch force;
     Run "x": scene x;
     Run "y": scene y;
 }
 
+/// Reads the value of a record's key.
+fn read_record<'de, A: MapAccess<'de>>(
+    key: &RecordKey,
+    record: &mut RecordText,
+    map: &mut A,
+) -> Result<(), A::Error> {
+    match key.place {
+        Place::File(of) => *of(record) = Some(map.next_value::<PathText>()?.0),
+        Place::Channel(of) => *of(record) = Some(map.next_value()?),
+        Place::Number(of, ..) => *of(record) = Some(map.next_value()?),
+        Place::Units(of) => *of(record) = Some(map.next_value()?),
+        Place::Baseline(of) => *of(record) = Some(map.next_value()?),
+    }
+    Ok(())
+}
+
+/// Writes the keys that a record gives.
+fn write_record<M: SerializeMap>(mut record: RecordText, map: &mut M) -> Result<(), M::Error> {
+    RECORD_KEYS.iter().try_for_each(|key| match key.place {
+        Place::File(of) => entry(map, key.key, &of(&mut record).take().map(PathText)),
+        Place::Channel(of) => entry(map, key.key, of(&mut record)),
+        Place::Number(of, ..) => entry(map, key.key, of(&mut record)),
+        Place::Units(of) => entry(map, key.key, of(&mut record)),
+        Place::Baseline(of) => entry(map, key.key, of(&mut record)),
+    })
+}
+
 /// The keys of a section that are no numbers of the table.
 pub fn words(section: Section) -> Vec<&'static str> {
-    WORDS.iter().filter(|(of, _)| *of == section).map(|(_, word)| *word).collect()
+    let of_record = RECORD_KEYS.iter().filter(|_| section == Section::Record).map(|key| key.key);
+    let others = WORDS.iter().filter(|(of, _)| *of == section).map(|(_, word)| *word);
+    of_record.chain(others).collect()
 }
 
 /// Reads a key that must be known.
@@ -167,9 +174,11 @@ impl<'de> Visitor<'de> for Fill<'_> {
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
         let Fill(scene, section) = self;
         let keys = || {
-            let words = words(section).into_iter().map(|word| (word, Key::Word(word)));
             let numbers = Parameter::of_section(section);
-            words.chain(numbers.map(|number| (number.key(), Key::Number(number)))).collect()
+            let numbers = numbers.map(|number| (number.key(), Key::Number(number)));
+            let of_word =
+                |word| (word, RecordKey::named(word).map_or(Key::Word(word), Key::Record));
+            words(section).into_iter().map(of_word).chain(numbers).collect()
         };
         while let Some(key) = map.next_key_seed(Known(keys()))? {
             match key {
@@ -177,6 +186,9 @@ impl<'de> Visitor<'de> for Fill<'_> {
                     scene.numbers.set(parameter, map.next_value::<Values>()?);
                 }
                 Key::Word(word) => read(word, scene, &mut map)?,
+                Key::Record(key) => {
+                    read_record(key, scene.record.get_or_insert_default(), &mut map)?;
+                }
             }
         }
         Ok(())
@@ -244,6 +256,9 @@ impl Serialize for Written<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let Written(scene, section) = *self;
         let mut map = serializer.serialize_map(None)?;
+        if let (Section::Record, Some(record)) = (section, &scene.record) {
+            write_record(record.clone(), &mut map)?;
+        }
         for word in words(section) {
             write(word, scene, &mut map)?;
         }

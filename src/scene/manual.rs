@@ -3,8 +3,8 @@
 use std::fmt::Write;
 
 use super::parameters::{PARAMETERS, Section};
+use crate::Written;
 use crate::model::pulse::Shape;
-use crate::written::Written;
 
 const HEAD: &str = "# Every number of a scene
 

@@ -6,7 +6,6 @@
 
 pub mod applies;
 pub mod block;
-pub mod bounded;
 pub mod builder;
 pub(crate) mod case;
 mod check;
@@ -21,16 +20,13 @@ pub mod keys;
 pub mod manual;
 pub(crate) mod numbers;
 pub mod parameters;
-pub mod path_text;
 pub(crate) mod range;
-pub mod record;
-pub mod shown;
 pub mod values;
 pub mod words;
 
 use serde::{Deserialize, Serialize};
 
-use crate::written::written;
+use crate::written;
 use applies::{Choice, ShakenBy};
 
 pub use block::Block;
@@ -44,6 +40,8 @@ pub use isolation::Isolation;
 pub use numbers::Numbers;
 pub use parameters::Parameter;
 pub use range::Range;
+pub use record::{GRAVITY, SceneError, bounded, path_text, shown};
+pub use topple_records as record;
 pub use values::Values;
 
 /// The parameters that are the first axes, in this order, wherever they are given.
@@ -51,9 +49,6 @@ pub const FIRST: [Parameter; 4] = [Parameter::Omega, Parameter::AH, Parameter::T
 
 /// Most letters of a title.
 pub const LONGEST_TITLE: usize = 10_000;
-
-/// g, m/s^2.
-pub const GRAVITY: f64 = 9.81;
 
 written! {
     /// When a block counts as overturned.
@@ -86,17 +81,6 @@ pub struct Scene {
     pub x: Option<Parameter>,
     /// That along its vertical axis, the second.
     pub y: Option<Parameter>,
-}
-
-/// What is wrong with a scene: the key (a flag of the same name on the command line), and one
-/// clause that says the fault and the remedy.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{key}: {problem}")]
-pub struct SceneError {
-    /// The key at fault, as written in TOML: `t_h`.
-    pub key: &'static str,
-    /// The fault and the remedy.
-    pub problem: String,
 }
 
 impl Scene {
@@ -156,18 +140,6 @@ impl Scene {
             self.numbers.remove(parameter);
         }
         self
-    }
-}
-
-impl SceneError {
-    /// That of a key: what is wrong, and what to do.
-    pub fn new(key: &'static str, problem: impl Into<String>) -> SceneError {
-        SceneError { key, problem: problem.into() }
-    }
-
-    /// The flag of the same name: `--t-h`.
-    pub fn flag(&self) -> String {
-        format!("--{}", self.key.replace('_', "-"))
     }
 }
 

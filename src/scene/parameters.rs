@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::applies::{Applies, BlockBy, Choice, ShakenBy};
 use super::directions::{Directions, MOVES_H, MOVES_V};
+use super::record::LARGEST_PEAK;
 use crate::model::pulse::Shape;
 
 /// A number of a scene.
@@ -265,9 +266,6 @@ pub enum Caption {
     Never,
 }
 
-/// How what is improbable is accepted.
-pub const ACCEPTED: &str = "`force` accepts it";
-
 const ANY: (f64, f64) = (0.0, f64::INFINITY);
 
 /// An entry of which nothing is questioned.
@@ -449,7 +447,7 @@ pub const PARAMETERS: [Entry; Parameter::COUNT] = [
         "1", "").always(),
     entry(P::Pga, ("pga", "PGA_h", "m/s²"), Record, Positive,
         "scale both components so that the horizontal peak is this",
-        "", "").plausible(0.5, 100.0, "m/s² are meant, not g").never(),
+        "", "").plausible(0.5, LARGEST_PEAK, "m/s² are meant, not g").never(),
     entry(P::TMax, ("t_max", "t_max", "s"), Run, AboveUpTo(0.0, 1.0e5),
         "simulated time",
         "30, or a record's duration", "section 3").never(),

@@ -2,13 +2,12 @@
 
 #![allow(dead_code, clippy::unwrap_used)] // each test binary uses a part of it
 
-use std::io::Write;
-
-pub mod formats;
-pub mod motions;
+#[path = "../../crates/records/tests/common/mod.rs"]
+mod records;
 pub mod suites;
 pub mod values;
 
+pub use records::*;
 use topple::backend::backend_error::BackendError;
 use topple::backend::description::AdapterDescription;
 use topple::backend::gpu::adapter;
@@ -64,11 +63,6 @@ pub fn synthetic_pair() -> Pair {
     synthetic::pair()
 }
 
-/// Says something past the test harness, which keeps quiet what passing tests print.
-pub fn say(line: &str) {
-    let _ = writeln!(std::io::stderr(), "{line}");
-}
-
 /// The adapter to test the shader on. Without one the test is skipped, and says so; where
 /// TOPPLE_REQUIRE_ADAPTER is set, that is a failure. An adapter without f64 is there all the same: what
 /// is of f64 is skipped on it.
@@ -103,21 +97,6 @@ pub fn gpus(test: &str, precision: Precision) -> Vec<Gpu> {
         say(&format!("{test} ({precision:?}): adapter {}, too", gpu.description.name));
     });
     std::iter::once(best).chain(opened).collect()
-}
-
-/// A file of the strong-motion records that TOPPLE_RECORDS names the directory of. They are not
-/// this project's to ship: without them a test is skipped, and says so.
-pub fn record(test: &str, name: &str) -> Option<std::path::PathBuf> {
-    let Some(directory) = std::env::var_os("TOPPLE_RECORDS") else {
-        say(&format!("{test}: SKIPPED, TOPPLE_RECORDS names no directory with {name}"));
-        return None;
-    };
-    let path = std::path::Path::new(&directory).join(name);
-    if !path.exists() {
-        say(&format!("{test}: SKIPPED, no {}", path.display()));
-        return None;
-    }
-    Some(path)
 }
 
 /// The values of a grid's first two axes at a cell.

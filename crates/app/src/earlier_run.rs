@@ -10,8 +10,7 @@ use serde_json::{Map, Value};
 use topple::results::earlier::RUN;
 use topple::results::store::IDENTITY;
 use topple::results::{npz, shard, zarr};
-use topple::scene::excitation::RecordText;
-use topple::scene::record::Provenance;
+use topple::scene::record::{Provenance, RecordText};
 use topple::scene::{Numbers, Parameter, Scene, SceneBuilder, bounded, shown};
 use topple_manifest::{Manifest, Run};
 

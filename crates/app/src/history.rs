@@ -10,7 +10,7 @@ use topple::model::precision::Precision;
 use topple::results::earlier::Kind;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::device_numbers::DeviceNumbers;
-use topple::scene::excitation::RecordText;
+use topple::scene::record::RecordText;
 use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;
 use topple_manifest::{HistoryRun, Motion, Run};

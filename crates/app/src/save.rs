@@ -5,6 +5,7 @@ use std::path::Path;
 
 use topple::results::files::Directory;
 use topple::scene::builder::SceneBuilder;
+use topple::scene::record::keys::{Place, RECORD_KEYS};
 use topple::scene::{FIRST, Parameter};
 
 use super::InputError;
@@ -18,15 +19,12 @@ use super::words::Reporter;
 /// A file that is there; axes in an order that a file cannot have; those of the disk.
 pub fn save(path: &Path, mut scene: SceneBuilder, command: &str) -> anyhow::Result<()> {
     if let Some(record) = &mut scene.record {
-        let files = [
-            &mut record.horizontal,
-            &mut record.vertical,
-            &mut record.horizontal_2,
-            &mut record.join,
-            &mut record.join_vertical,
-        ];
-        for file in files.into_iter().flatten() {
-            *file = std::path::absolute(&*file)?;
+        for key in &RECORD_KEYS {
+            if let Place::File(of) = key.place
+                && let Some(file) = of(record)
+            {
+                *file = std::path::absolute(&*file)?;
+            }
         }
     }
     let refused =

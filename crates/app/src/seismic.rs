@@ -5,8 +5,7 @@ use std::path::Path;
 use topple::results::files::{Directory, WriteError};
 use topple::scene::bounded;
 use topple::scene::builder::SceneBuilder;
-use topple::scene::excitation::RecordText;
-use topple::scene::record::synthetic;
+use topple::scene::record::{RecordText, synthetic};
 
 use super::numbers::RecordNumbers;
 use super::options::{CommonFlags, MapOptions, flag_error};

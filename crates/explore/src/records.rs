@@ -12,16 +12,14 @@ use tempfile::TempDir;
 use super::asked::SYNTHETIC;
 use super::refused::Refused;
 use super::room::{Room, Taken};
-use topple::scene::excitation::{RecordText, check_record};
-use topple::scene::record::{Pair, Units, synthetic};
+use topple::scene::excitation::check_record;
+use topple::scene::record::{Pair, RecordText, Units, synthetic};
 use topple::scene::shown::is_hidden;
 use topple::scene::{Numbers, Parameter, Scene, SceneBuilder};
 
-/// What a motion that was read hangs on: its files by their names here, what was given of them, and the peak that
-/// they are scaled to.
-type Key = (RecordTextKey, Option<u64>);
-type RecordTextKey =
-    (Option<PathBuf>, Option<PathBuf>, [Option<String>; 2], Option<u64>, Option<String>);
+/// What a motion that was read hangs on: its files by their names here with what was given of them, written out, and the
+/// peak that they are scaled to.
+type Key = (String, Option<u64>);
 
 /// Motions that are kept read, and samples of all of them, 512 MiB with both components.
 const KEPT: (usize, usize) = (8, 1 << 25);
@@ -182,14 +180,7 @@ impl Records {
     fn pair(&self, text: &RecordText, numbers: &Numbers, force: bool) -> Result<Pair, Refused> {
         // Files without units are read where a peak is given.
         let pga = numbers.get(Parameter::Pga).map(topple::scene::Values::first);
-        let files = (
-            text.horizontal.clone(),
-            text.vertical.clone(),
-            [&text.horizontal_channel, &text.vertical_channel].map(Clone::clone),
-            text.dt.map(f64::to_bits),
-            text.units.map(|units| format!("{units:?}")),
-        );
-        let key = (files, pga.map(f64::to_bits));
+        let key = (format!("{text:?}"), pga.map(f64::to_bits));
         if let Some(pair) = self.read.lock().unwrap_or_else(PoisonError::into_inner).get(&key) {
             return Ok(pair.clone());
         }

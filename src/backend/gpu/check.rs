@@ -9,8 +9,8 @@ use wgpu::{
 
 use super::BackendError;
 use super::device::OpenDevice;
+use crate::Written;
 use crate::model::precision::Precision;
-use crate::written::Written;
 
 /// The number of results of the shader, one from each thread.
 const COUNT: u32 = 64;

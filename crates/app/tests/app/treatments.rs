@@ -1,5 +1,5 @@
 //! What is made of a record before it shakes a base: turned, followed by another, on a floor. The motions themselves are held to
-//! closed forms in `scene/record/{turned,sequence,floor}.rs`.
+//! closed forms by the tests of the records.
 
 use crate::common::room::Room;
 

@@ -14,7 +14,7 @@ mod damage;
 mod made;
 mod memory;
 #[allow(dead_code)]
-#[path = "../../../../tests/common/motions.rs"]
+#[path = "../../../records/tests/common/motions.rs"]
 mod motions;
 mod readers;
 mod records;

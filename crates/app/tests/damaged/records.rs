@@ -12,7 +12,7 @@ use topple::sweep::settings::Method;
 use zip::ZipWriter;
 use zip::write::SimpleFileOptions;
 
-#[path = "../../../../tests/common/formats.rs"]
+#[path = "../../../records/tests/common/formats.rs"]
 mod formats;
 
 pub use formats::AT2;

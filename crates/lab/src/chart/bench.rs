@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use topple::scene::builder::SceneBuilder;
-use topple::scene::excitation::RecordText;
+use topple::scene::record::RecordText;
 use topple::scene::{Directions, Grid, Numbers, Parameter, Range, Scene, SceneError};
 
 /// Scenes that are charted together.

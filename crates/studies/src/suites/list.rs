@@ -6,11 +6,11 @@ use std::collections::BTreeSet;
 use super::entry::{Entry, MOST_FACTOR};
 use super::files::Files;
 use crate::sheet::{Cell, Rows, Sheet, TableError};
+use topple::Written;
 use topple::scene::record::text::printable;
 use topple::scene::record::zips::MOST_FILES;
 use topple::scene::record::{Baseline, Units};
 use topple::scene::shown::shown;
-use topple::written::Written;
 
 /// The columns that a list may have.
 const COLUMNS: [&str; 12] = [

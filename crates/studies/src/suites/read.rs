@@ -11,7 +11,7 @@ use super::found::Unused;
 use super::measures::Measures;
 use super::{SuiteError, grouped, list, peer, processing, unused};
 use crate::sheet::row_in_comment;
-use topple::scene::parameters::ACCEPTED;
+use topple::scene::record::ACCEPTED;
 use topple::scene::record::zips::MOST_FILES;
 use topple::scene::record::{Baseline, Pair, Record, RecordFile, joined, text};
 use topple::scene::record::{RecordHints, read};

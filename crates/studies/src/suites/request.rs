@@ -6,7 +6,8 @@ use super::settings::SuiteSettings;
 use super::swept::SuiteJob;
 use super::wanted::WantedMotion;
 use topple::scene::applies::{Choice, ShakenBy};
-use topple::scene::excitation::{self, RecordText};
+use topple::scene::excitation;
+use topple::scene::record::RecordText;
 use topple::scene::{Directions, Parameter, SceneBuilder, SceneError};
 use topple::sweep::error::SweepError;
 

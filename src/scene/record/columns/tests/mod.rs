@@ -1,5 +1,0 @@
-//! What plain files are taken for.
-
-mod motions;
-mod several;
-mod signs;
