@@ -66,7 +66,8 @@ pub fn sweep(traces: &Traces, columns: usize, choice: Choice, kind: Kind) -> Tal
         while flights.len() < FLIGHTS {
             let mut bound = running + flights.iter().map(|flight| flight.begun).sum::<usize>();
             let mut begun = 0;
-            if sides.len() < choice.sides && bound < choice.tile.div_ceil(2) && rest < traces.len() {
+            if sides.len() < choice.sides && bound < choice.tile.div_ceil(2) && rest < traces.len()
+            {
                 begun = choice.tile.min(traces.len() - rest);
                 let cells = rest..rest + begun;
                 list.extend(tile(traces, columns, cells.clone(), choice));

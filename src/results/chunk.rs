@@ -10,11 +10,11 @@ use flate2::bufread::GzDecoder;
 use flate2::{Compression, GzBuilder};
 
 use super::block::{Block, PENDING};
-use super::columns::{Column, Entry, status_code};
+use super::columns::{Column, status_code};
 use super::values::{ColumnValues, ValueType};
 use super::zarr::{LEVEL, PROVED};
 use crate::model::precision::Precision;
-use crate::stepping::outcome::{Outcome, Status};
+use crate::stepping::outcome::Status;
 
 /// Largest file of a chunk that is read, bytes: twice the most that a chunk's numbers take.
 pub const LARGEST: u64 = 16 << 20;
@@ -118,8 +118,8 @@ pub fn unpack(packed: &[u8], count: usize) -> Option<Vec<u8>> {
     exact.then_some(bytes)
 }
 
-/// The values of an array, from those of its column in memory.
-fn in_array(array: &str, column: Column, values: ColumnValues) -> ColumnValues {
+/// The values of an array, from those of its column in memory: codes are those of files.
+pub fn in_array(array: &str, column: Column, values: ColumnValues) -> ColumnValues {
     let filed = |code: u8| {
         Status::ALL.get(usize::from(code)).map_or(PENDING, |status| status_code(*status))
     };
@@ -129,20 +129,6 @@ fn in_array(array: &str, column: Column, values: ColumnValues) -> ColumnValues {
         (_, Column::Status) => ColumnValues::Codes(codes(&filed)),
         _ => values,
     }
-}
-
-/// The values of outcomes in an array of a column: codes are those of files.
-pub fn of_outcomes(
-    array: &str,
-    entry: &Entry,
-    outcomes: &[Outcome],
-    precision: Precision,
-) -> ColumnValues {
-    let places: Vec<usize> = (0..outcomes.len()).collect();
-    let of = ValueType::of(entry.kind, precision);
-    let mut values = ColumnValues::all(0.0, of, outcomes.len());
-    (entry.put)(&mut values.slots(0..outcomes.len()), &places, outcomes);
-    in_array(array, entry.column, values)
 }
 
 /// The code of a status in memory, from its code in a file and whether its cell ended early; none of a code of nothing.

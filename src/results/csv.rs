@@ -1,6 +1,6 @@
 //! map.csv: one row a cell, x fastest.
 
-use std::io::{self, Write};
+use std::io::Write;
 
 use serde::{Serialize, Serializer};
 
@@ -50,7 +50,7 @@ pub fn write<'a>(
         let parts: Vec<_> = block.chunks(ROWS).collect();
         let part = |k: usize| rows(cells, columns, first + k * ROWS, parts[k]);
         for rows in parallel::each(parts.len(), 1, part) {
-            writer.write_all(&rows?)?;
+            writer.write_all(&rows)?;
         }
         Ok(())
     })?;
@@ -58,53 +58,48 @@ pub fn write<'a>(
     Ok(())
 }
 
-/// A field of a row.
-#[derive(Serialize)]
-#[serde(untagged)]
-enum Field {
-    Name(&'static str),
-    Count(u32),
-    Number(Number),
-    Time(Option<Number>),
-}
-
-impl Field {
-    /// That of a cell in a column.
-    fn of(entry: &Entry, cell: &Outcome) -> Field {
-        match entry.shown(cell) {
-            Shown::Code(_, name) => Field::Name(name),
-            Shown::Count(count) => Field::Count(count),
-            Shown::Number(number) => Field::Number(Number(number)),
-            Shown::Time(time) => Field::Time(time.map(Number)),
-        }
-    }
-}
-
-/// Columns of a cell with its place in the grid and its counts.
-struct Row<'a>(FileCells<'a>, ColumnSet, usize, &'a Outcome);
-
-impl Serialize for Row<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Row(cells, columns, number, cell) = *self;
-        let at = cells.grid.coordinates(cells.cell(number));
-        let at = at.map(|value| Field::Number(Number(value)));
-        let counts = cells.counts().iter().map(|count| Field::Count(count.values[number]));
-        let fields = columns.of_table().map(|entry| Field::of(entry, cell));
-        serializer.collect_seq(at.chain(counts).chain(fields))
-    }
-}
-
-/// The rows of some cells.
-fn rows(
-    cells: FileCells,
-    columns: ColumnSet,
-    first: usize,
-    block: &[Outcome],
-) -> Result<Vec<u8>, csv::Error> {
-    let mut table =
-        csv::WriterBuilder::new().has_headers(false).from_writer(Vec::with_capacity(ROWS << 7));
+/// The rows of some cells. No name has a character that would have to be quoted.
+fn rows(cells: FileCells, columns: ColumnSet, first: usize, block: &[Outcome]) -> Vec<u8> {
+    let entries: Vec<&Entry> = columns.of_table().collect();
+    let mut table = Vec::with_capacity(ROWS << 7);
     for (number, cell) in (first..).zip(block) {
-        table.serialize(Row(cells, columns, number, cell))?;
+        let begins = table.len();
+        cells.grid.coordinates(cells.cell(number)).for_each(|at| put_number(&mut table, at));
+        cells.counts().iter().for_each(|count| put_count(&mut table, count.values[number]));
+        for entry in &entries {
+            match entry.shown(cell) {
+                Shown::Code(_, name) => put(&mut table, name),
+                Shown::Count(count) => put_count(&mut table, count),
+                Shown::Number(number) => put_number(&mut table, number),
+                Shown::Time(Some(time)) => put_number(&mut table, time),
+                Shown::Time(None) => put(&mut table, ""),
+            }
+        }
+        // The comma after the last field; a line of one empty field is not an empty line.
+        table.pop();
+        if table.len() == begins {
+            table.extend_from_slice(b"\"\"");
+        }
+        table.push(b'\n');
     }
-    table.into_inner().map_err(|error| io::Error::other(error.to_string()).into())
+    table
+}
+
+/// Adds a field and a comma.
+fn put(row: &mut Vec<u8>, field: &str) {
+    row.extend_from_slice(field.as_bytes());
+    row.push(b',');
+}
+
+/// Adds a number as [`Number`] is written, and a comma.
+fn put_number(row: &mut Vec<u8>, number: f64) {
+    let (mut buffer, single) = (ryu::Buffer::new(), number as f32);
+    let text =
+        if f64::from(single) == number { buffer.format(single) } else { buffer.format(number) };
+    put(row, text);
+}
+
+/// Adds a number of events and a comma.
+fn put_count(row: &mut Vec<u8>, count: u32) {
+    put(row, itoa::Buffer::new().format(count));
 }

@@ -14,21 +14,16 @@ use super::chunk;
 use super::columns::{Column, Entry};
 use super::listed::{CELL, FileCells};
 use super::npy;
-use super::outcomes::{Outcomes, each_block};
+use super::outcomes::{BLOCK, Outcomes};
 use super::values::{ValueType, bytes_of};
 use super::zarr::PROVED;
 use crate::model::precision::Precision;
 use crate::scene::grid::Axis;
 use crate::scene::record::zips;
 use crate::scene::{Grid, bounded};
-use crate::stepping::outcome::Outcome;
-use crate::work::parallel;
 
 /// Level of compression: of more, files are hardly smaller and take several times as long.
 const LEVEL: i64 = 2;
-
-/// The number of cells whose values a thread makes at once: some 100 kB, made in some ten microseconds.
-const AT_ONCE: usize = 1 << 14;
 
 /// Writes the archive, column by column, never a whole one in memory. Names are codes there, which `about`
 /// tells with units, meanings, scene and version, as JSON. `proved`, which goes with the status, is true for
@@ -127,19 +122,18 @@ impl<W: Write + Seek> Archive<'_, W> {
         self.zip.write_all(&bytes_of(&values, f64::to_le_bytes))
     }
 
-    /// Adds an array of a column, its values made on all cores.
+    /// Adds an array of a column.
     fn column(&mut self, array: &str, entry: &Entry, precision: Precision) -> io::Result<()> {
         let of = ValueType::of(entry.kind, precision);
         let numpy = if array == PROVED { "|b1" } else { of.in_numpy() };
         let shape = self.shape.clone();
         self.begin(array, (numpy, of.size()), &shape)?;
-        let bytes =
-            |cells: &[Outcome]| chunk::of_outcomes(array, entry, cells, precision).to_bytes();
         let count = shape.iter().product::<u64>() as usize;
-        each_block(count, self.outcomes, &[entry.column], |_, block| {
-            let parts: Vec<&[Outcome]> = block.chunks(AT_ONCE).collect();
-            let parts = parallel::each(parts.len(), 1, |part| bytes(parts[part]));
-            self.zip.write_all(&parts.concat())
-        })
+        for first in (0..count).step_by(BLOCK) {
+            let cells = first..(first + BLOCK).min(count);
+            let values = self.outcomes.column(cells, entry.column, precision)?;
+            self.zip.write_all(&chunk::in_array(array, entry.column, values).to_bytes())?;
+        }
+        Ok(())
     }
 }

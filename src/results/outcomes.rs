@@ -7,6 +7,7 @@ use std::path::Path;
 
 use super::block::Block;
 use super::columns::Column;
+use super::values::{ColumnValues, ValueType};
 use crate::model::precision::Precision;
 use crate::stepping::outcome::Outcome;
 
@@ -20,6 +21,25 @@ pub trait Outcomes: Sync {
     /// # Errors
     /// Errors of the disk.
     fn read(&self, cells: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>>;
+
+    /// The values of a column of some cells, numbers of a type.
+    ///
+    /// # Errors
+    /// Errors of the disk.
+    fn column(
+        &self,
+        cells: Range<usize>,
+        column: Column,
+        precision: Precision,
+    ) -> io::Result<ColumnValues> {
+        let places: Vec<usize> = (0..cells.len()).collect();
+        let entry = column.entry();
+        let of = ValueType::of(entry.kind, precision);
+        let mut values = ColumnValues::all(0.0, of, cells.len());
+        let outcomes = self.read(cells, &[column])?;
+        (entry.put)(&mut values.slots(0..outcomes.len()), &places, &outcomes);
+        Ok(values)
+    }
 
     /// All columns of a given number of cells, numbers of a type; outcomes in memory give theirs away.
     ///

@@ -57,6 +57,26 @@ impl Outcomes for BlocksInMemory {
         Ok(Cow::Owned(outcomes))
     }
 
+    fn column(
+        &self,
+        cells: Range<usize>,
+        column: Column,
+        precision: Precision,
+    ) -> io::Result<ColumnValues> {
+        let of = ValueType::of(column.entry().kind, precision);
+        let mut values = ColumnValues::all(column.entry().kind.filler(), of, cells.len());
+        for chunk in self.chunking.chunks(&cells) {
+            let held = self.chunking.cells(chunk);
+            let (first, end) = (cells.start.max(held.start), cells.end.min(held.end));
+            let from = self.blocks[chunk].values(column);
+            if !from.is_empty() {
+                let slots = values.slots(first - cells.start..end - cells.start);
+                slots.copy(from, first - held.start..end - held.start);
+            }
+        }
+        Ok(values)
+    }
+
     fn into_block(self: Box<Self>, _: usize, _: Precision) -> io::Result<Block> {
         Ok(Block::joined(self.blocks))
     }

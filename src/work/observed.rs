@@ -5,8 +5,10 @@ use std::io;
 use std::ops::Range;
 
 use super::observer::Observer;
+use crate::model::precision::Precision;
 use crate::results::columns::Column;
 use crate::results::outcomes::Outcomes;
+use crate::results::values::ColumnValues;
 use crate::stepping::outcome::Outcome;
 
 /// Outcomes with an observer of their reading. The unit of progress is a cell times a column.
@@ -22,12 +24,30 @@ impl<'a> ObservedOutcomes<'a> {
     }
 }
 
-impl Outcomes for ObservedOutcomes<'_> {
-    fn read(&self, cells: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>> {
+impl ObservedOutcomes<'_> {
+    /// Reports a number of cells times columns; an error where the work was cancelled.
+    fn report(&self, count: usize) -> io::Result<()> {
         if self.observer.cancelled() {
             return Err(io::Error::new(io::ErrorKind::Interrupted, "cancelled"));
         }
-        self.observer.advance(cells.len() * columns.len());
+        self.observer.advance(count);
+        Ok(())
+    }
+}
+
+impl Outcomes for ObservedOutcomes<'_> {
+    fn read(&self, cells: Range<usize>, columns: &[Column]) -> io::Result<Cow<'_, [Outcome]>> {
+        self.report(cells.len() * columns.len())?;
         self.outcomes.read(cells, columns)
+    }
+
+    fn column(
+        &self,
+        cells: Range<usize>,
+        column: Column,
+        precision: Precision,
+    ) -> io::Result<ColumnValues> {
+        self.report(cells.len())?;
+        self.outcomes.column(cells, column, precision)
     }
 }

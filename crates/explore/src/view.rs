@@ -16,7 +16,7 @@ use super::watched::Watched;
 use topple::model::precision::Precision;
 use topple::refine::run::refine_on;
 use topple::refine::settings::RefineSettings;
-use topple::results::chunk::of_outcomes;
+use topple::results::chunk::in_array;
 use topple::results::columns::{Column, TABLE};
 use topple::results::outcomes::Outcomes;
 use topple::results::palette::{Kind, is_dotted};
@@ -168,7 +168,10 @@ fn arrays<'a>(map: &Map, columns: &'a [String]) -> Vec<(&'a str, ColumnValues)> 
     ];
     for name in columns {
         let Some(entry) = TABLE.iter().find(|entry| entry.name == name) else { continue };
-        arrays.push((name, of_outcomes(name, entry, &map.outcomes, PRECISION)));
+        // Outcomes in memory are read without an error.
+        let cells = 0..map.outcomes.len();
+        let Ok(values) = map.outcomes.column(cells, entry.column, PRECISION) else { continue };
+        arrays.push((name, in_array(name, entry.column, values)));
     }
     arrays
 }
