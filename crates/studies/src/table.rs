@@ -53,40 +53,23 @@ impl Field {
     }
 }
 
-impl From<String> for Field {
-    fn from(name: String) -> Field {
-        Field::Name(name)
-    }
+macro_rules! fields {
+    ($($from:ty: $to:expr;)*) => {$(
+        impl From<$from> for Field {
+            fn from(value: $from) -> Field {
+                $to(value)
+            }
+        }
+    )*};
 }
 
-impl From<&'static str> for Field {
-    fn from(name: &'static str) -> Field {
-        Field::Name(name.into())
-    }
-}
-
-impl From<f64> for Field {
-    fn from(number: f64) -> Field {
-        Field::Number(number)
-    }
-}
-
-impl From<u32> for Field {
-    fn from(count: u32) -> Field {
-        Field::Count(count.into())
-    }
-}
-
-impl From<usize> for Field {
-    fn from(count: usize) -> Field {
-        Field::Count(count as u64)
-    }
-}
-
-impl From<bool> for Field {
-    fn from(holds: bool) -> Field {
-        Field::Count(holds.into())
-    }
+fields! {
+    String: Field::Name;
+    &'static str: |name: &str| Field::Name(name.into());
+    f64: Field::Number;
+    u32: |count: u32| Field::Count(count.into());
+    usize: |count| Field::Count(count as u64);
+    bool: |holds: bool| Field::Count(holds.into());
 }
 
 impl<T: Into<Field>> From<Option<T>> for Field {
