@@ -81,6 +81,11 @@ STUDIES = {
     " --limit-zeta 0.5 --estimator stripes,ida,cloud",
     "fragility, varied": "fragility --suite suite --object 1 --u-y 0.01 --t-h 1,2 --t-v 0.5 --levels 1:12:5 "
     "--bootstrap 99 --vary eccentricity=normal(0.2,0.02) --vary xi-h=lognormal(0.05,0.3,0.02,0.1) --samples 16 --verify none",
+    "fragility, rates": "fragility --suite stretched --object 1 --u-y 0.01 --t-h 0.8,1.6 --t-v 0.3 --levels 0.5:20:12"
+    " --hazard site.csv --target 0.001 --export nrml,pelicun --bootstrap 99",
+    "envelope, columns": f"envelope {SUITE} --limit-u 0.4 --columns zeta,impacts",
+    "compare": "compare devices.csv --suite stretched --object 1 --scales 0.5:3:6 --columns zeta,stop_force --hazard site.csv"
+    " --levels 0.5:20:12 --limit-u 0.4",
 }
 # What changes from run to run, and what a backend says of itself; the same do keys with these endings.
 CHANGING = {"adapter", "date", "seconds", "start", "sweep", "threads", "timings", "version"}
@@ -116,7 +121,12 @@ def run(binary, place, out, arguments):
 
 
 def make_suite(binary, place):
-    """Suites of made-up motions: the synthetic pair, whole and in part, and stretched in time."""
+    """Suites of made-up motions, the synthetic pair whole, in part, and stretched in time; a site and a list of devices."""
+    (place / "site.csv").write_text("pga [m/s2],rate\n1,0.02\n4,0.001\n12,0.00002\n")
+    (place / "devices.csv").write_text(
+        "device,isolation,t_h,t_v,u_y,radius,mu,stop_gap,stop_stiffness\nfloor,none,,,,,,,\n"
+        "spring,dual,0.8,0.3,0.01,,,,\npendulum,horizontal,,,,1.5,0.06,0.05,2e5\n"
+    )
     made = place / "made"
     command = [str(binary), "seismic", "--object", "1", "--t-h", "1", "--t-v", "0.4", "--verify", "none", "--out", str(made)]
     subprocess.run(command, check=True, capture_output=True)

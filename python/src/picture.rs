@@ -4,11 +4,13 @@ use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use serde_json::json;
-use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, ROCKS, dots, is_dotted};
-use topple::results::print_palette::{Palette, Texture};
-use topple::results::ramp;
 use topple::scene::words;
 use topple::{Class, Outcome, Scene, Written};
+use topple_pictures::colours::palette::{
+    CURVES, DOTTED, FALLEN, Kind, MARKED, ROCKS, dots, is_dotted,
+};
+use topple_pictures::colours::print_palette::{Palette, Texture};
+use topple_pictures::colours::ramp;
 use topple_pictures::drawing::print::{Print, PrintError};
 use topple_pictures::map::figure::fields::{CONTACT, FIELDS};
 

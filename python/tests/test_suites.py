@@ -121,39 +121,33 @@ def test_rows_are_placed_by_their_columns_where_cells_have_fewer(command, tmp_pa
     assert found["fragility"]["level"].values.tolist() == [0.2, 2.0, 10000.0]
 
 
-def test_rows_are_placed_by_their_columns_in_any_order():
+def test_rows_are_placed_by_their_cells_in_any_order():
     """The tables of two axes, whose rows are shuffled, and some of which are not there."""
     from topple import _tables
 
-    about = {
-        "index": ["t_v", "t_h"],
-        # The second is a number of f32, which tables have in the digits of f32.
-        "coordinates": {"t_h": [3.0, float(np.float32(0.1)), 2.0], "t_v": [0.5, 0.25]},
-        "axes": {},
-        "columns": {},
-        "best": [],
-    }
-    every = [(t_h, t_v) for t_v in ("0.5", "0.25") for t_h in ("3.0", "0.1", "2.0")]
-    value = {at: 10.0 * k for k, at in enumerate(every)}
+    def number(*values):
+        return np.array(values, dtype=float), "1", ""
+
+    # The cells of the first axis follow each other.
+    about = {"index": ["t_v", "t_h"], "coordinates": {"t_h": [3.0, 0.1, 2.0], "t_v": [0.5, 0.25]}, "best": []}
     for seed in range(20):
-        order = np.random.default_rng(seed).permutation(len(every))[: 6 - seed % 3]
-        kept = [every[k] for k in order]
-        text = "t_h,t_v,standing,max_u_100,stroke_v_100\n"
-        text += "".join(f"{t_h},{t_v},{value[t_h, t_v]},1,1\n" for t_h, t_v in kept)
-        found = _tables.of_cells([text], about)["standing"].values
-        expected = [[value[at] if (at := (t_h, t_v)) in kept else np.nan for t_h in ("3.0", "0.1", "2.0")] for t_v in ("0.5", "0.25")]
+        order = np.random.default_rng(seed).permutation(6)[: 6 - seed % 3]
+        ones = number(*np.ones(len(order)))
+        table = {"standing": number(*10.0 * order), "max_u_100": ones, "stroke_v_100": ones}
+        found = _tables.of_cells([(order, table)], about)["standing"].values
+        expected = np.array([10.0 * k if k in order else np.nan for k in range(6)]).reshape(2, 3)
         assert np.array_equal(found, expected, equal_nan=True)
-        levels = "t_h,t_v,limit_state,level,records,failed\n"
-        levels += "".join(f"{t_h},{t_v},uplift,{7 - k},3,{value[t_h, t_v]}\n" for k, (t_h, t_v) in enumerate(kept))
-        counts = _tables.of_fragility({"fragility": levels}, about)["fragility"]
-        assert counts["level"].values.tolist() == sorted(float(7 - k) for k in range(len(kept)))
-        for k, (t_h, t_v) in enumerate(kept):
-            cell = counts["failed"].sel(limit_state="uplift", level=7 - k, t_v=float(t_v))
-            assert cell.isel(t_h=("3.0", "0.1", "2.0").index(t_h)).item() == value[t_h, t_v]
-        assert int(counts["failed"].notnull().sum()) == len(kept)
-    for wrong in ("t_h,t_v,standing\n4.0,0.5,1\n", "t_h,t_v,standing\n3.0,0.5,1\n3.0,0.5,2\n"):
-        with pytest.raises(RuntimeError, match="defect"):
-            _tables.of_cells([wrong], about)
+        levels = number(*7.0 - np.arange(len(order)))
+        states = (["uplift"] * len(order), "", "")
+        counts = _tables.of_fragility({"fragility": (order, {"limit_state": states, "level": levels, "failed": number(*10.0 * order)})}, about)
+        counts = counts["fragility"]
+        assert counts["level"].values.tolist() == sorted(levels[0])
+        for k, cell in enumerate(order):
+            there = counts["failed"].sel(limit_state="uplift", level=7 - k).isel(t_v=cell // 3, t_h=cell % 3)
+            assert there.item() == 10.0 * cell
+        assert int(counts["failed"].notnull().sum()) == len(order)
+    with pytest.raises(RuntimeError, match="defect"):
+        _tables.of_cells([(np.array([1, 1]), {"standing": number(1.0, 2.0)})], about)
 
 
 def units(dataset):

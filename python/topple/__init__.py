@@ -26,7 +26,7 @@ from ._mat import save_mat as save_mat
 from ._print import checked_title
 from ._progress import Progress, heard
 from ._records import factor, scene_file, taken, uncertain
-from ._tables import of_cells, of_devices, of_fragility, of_suite, written
+from ._tables import of_cells, of_fragility, of_rows, written
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -298,8 +298,8 @@ def suite(path: str | os.PathLike[str], *, strict: bool = False, baseline: str |
         The table of ``topple suite`` over the dimension ``id``: measures, with ``units``, and ``notes`` on what was
         decided; the attribute ``unused`` has in JSON why each file that is no part of it is not used.
     """
-    text, about = _topple.suite(_suite_path(path), strict, baseline)
-    return of_suite(text, json.loads(about))
+    table, about = _topple.suite(_suite_path(path), strict, baseline)
+    return of_rows(table, json.loads(about), "id")
 
 
 def envelope(suite: str | os.PathLike[str], *, progress: bool | Progress | None = None, **keywords: Any) -> Any:
@@ -417,7 +417,7 @@ def compare(
         tables, about = _topple.compare(keywords, hears)
     if tables is None or about is None:
         return None
-    return of_devices(tables["compare"], json.loads(about))
+    return of_rows(tables["compare"], json.loads(about), "device")
 
 
 def fragility(suite: str | os.PathLike[str], *, progress: bool | Progress | None = None, **keywords: Any) -> Any:

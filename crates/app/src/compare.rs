@@ -120,7 +120,7 @@ impl StudyFlags for CompareFlags {
     }
 
     fn rates(&self) -> Option<RateFlags<'_>> {
-        Some(RateFlags { hazard: &self.hazard, im: self.im(), levels: self.levels.as_ref() })
+        Some(self.site())
     }
 
     fn tell_of_base(
@@ -148,8 +148,7 @@ impl StudyFlags for CompareFlags {
     }
 
     fn warn(&self, compared: &Comparison) {
-        let rates = RateFlags { hazard: &self.hazard, im: self.im(), levels: self.levels.as_ref() };
-        compare_words::warn(compared, &rates);
+        compare_words::warn(compared, &self.site());
     }
 
     fn record(&self, compared: &Comparison, site: Site) -> Self::Record {
@@ -181,6 +180,11 @@ impl CompareFlags {
     /// The measure of the hazard.
     fn im(&self) -> Intensity {
         self.im.unwrap_or(Intensity::Pga)
+    }
+
+    /// What annual rates are told over.
+    fn site(&self) -> RateFlags<'_> {
+        RateFlags { hazard: &self.hazard, im: self.im(), levels: self.levels.as_ref() }
     }
 
     /// Reads the list.

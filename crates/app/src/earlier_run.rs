@@ -116,11 +116,11 @@ fn of_run(text: &str, folder: &Path) -> Result<EarlierRun, String> {
     let without_command =
         |name| Err(format!("its {RUN} has no command; run it again by topple {name}"));
     match &manifest.run {
-        Run::Map(_) | Run::History(_) | Run::Probability(_) => {}
         Run::Suite(_) => return Err("a suite is no scene; read it again by topple suite".into()),
         Run::Envelope(_) => return without_command("envelope"),
         Run::Fragility(_) => return without_command("fragility"),
         Run::Comparison(_) => return without_command("compare"),
+        _ => {}
     }
     let Some(scene) = manifest.run.scene() else {
         return Err("it has no scene; give one".into());

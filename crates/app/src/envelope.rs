@@ -16,12 +16,12 @@ use topple_studies::suites::swept_motion::Values;
 use topple_studies::uncertain::{SAMPLES, Varied};
 
 use super::inputs::InputReader;
-use super::named::best;
 use super::study::StudyFlags;
 use super::study_flags::{FurtherFlags, IntervalFlags, LimitFlags, names, unknown};
 use super::study_words::{FALLS, LEAVES, between, digits, warn_of_few};
 use super::suite_run::warn_of_radius;
 use super::words::{self, Reporter, counted};
+use super::written::one_of;
 use super::{InputError, examples};
 
 /// Sweep a scene under every motion of a suite: find the cells in which the block stands within given strokes.
@@ -32,7 +32,7 @@ pub struct EnvelopeFlags {
     limits: LimitFlags,
     /// Which feasible cell is the best one: that with the largest reserve (steps of the grid to the nearest cell that fails), or with
     /// the least stroke_u or stroke_v
-    #[arg(long, value_name = "WHICH", default_value_t = Best::Reserve, help_heading = "Suite", value_parser = best)]
+    #[arg(long, value_name = "WHICH", default_value_t = Best::Reserve, help_heading = "Suite", value_parser = one_of::<Best>())]
     best: Best,
     #[command(flatten)]
     further: FurtherFlags,

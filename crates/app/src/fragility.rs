@@ -18,12 +18,12 @@ use topple_studies::suites::intensity::Intensity;
 use topple_studies::uncertain::{SAMPLES, Varied};
 
 use super::inputs::InputReader;
-use super::named::{estimator, export};
 use super::numbers::number;
 use super::study::StudyFlags;
 use super::study_flags::{HazardFlags, IntervalFlags, RateFlags, unknown};
 use super::suite_run::warn_of_radius;
 use super::words::{self, Reporter};
+use super::written::one_of;
 use super::{InputError, examples, fragility_words};
 
 /// Estimate how likely a block overturns under the motions of a suite, by their intensity.
@@ -68,7 +68,7 @@ pub struct FragilityFlags {
     )]
     limit_v: Vec<f64>,
     /// Estimators of the curves: stripes, ida, cloud; the first one is drawn [default: all that the levels allow]
-    #[arg(long, value_name = "NAME,...", value_delimiter = ',', help_heading = "Fragility", value_parser = estimator)]
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', help_heading = "Fragility", value_parser = one_of::<Estimator>())]
     estimator: Vec<Estimator>,
     #[command(flatten)]
     intervals: IntervalFlags,
@@ -95,7 +95,7 @@ pub struct FragilityFlags {
     )]
     target: Option<f64>,
     /// Also write the curves for other programs: nrml (OpenQuake, fragility.xml), pelicun (fragility_pelicun.csv)
-    #[arg(long, value_name = "FORMAT,...", value_delimiter = ',', help_heading = "Fragility", value_parser = export)]
+    #[arg(long, value_name = "FORMAT,...", value_delimiter = ',', help_heading = "Fragility", value_parser = one_of::<Export>())]
     export: Vec<Export>,
 }
 
@@ -145,7 +145,7 @@ impl StudyFlags for FragilityFlags {
     }
 
     fn rates(&self) -> Option<RateFlags<'_>> {
-        Some(RateFlags { hazard: &self.hazard, im: self.im, levels: self.levels.as_ref() })
+        Some(self.site())
     }
 
     fn varied(&self) -> &[Varied] {
@@ -181,8 +181,7 @@ impl StudyFlags for FragilityFlags {
     }
 
     fn warn(&self, study: &FragilityStudy) {
-        let rates = RateFlags { hazard: &self.hazard, im: self.im, levels: self.levels.as_ref() };
-        fragility_words::warn(study, &rates);
+        fragility_words::warn(study, &self.site());
         warn_of_radius(&study.sweep);
         let empty = self.exports().filter(|export| export.is_empty(study));
         empty.for_each(|export| words::warn(fragility_words::without_curves(export)));
@@ -212,6 +211,11 @@ impl StudyFlags for FragilityFlags {
 }
 
 impl FragilityFlags {
+    /// What annual rates are told over.
+    fn site(&self) -> RateFlags<'_> {
+        RateFlags { hazard: &self.hazard, im: self.im, levels: self.levels.as_ref() }
+    }
+
     /// The formats that are requested, each once.
     fn exports(&self) -> impl Iterator<Item = Export> {
         Export::ALL.iter().copied().filter(|export| self.export.contains(export))

@@ -9,11 +9,10 @@ use topple::model::asked::Asked;
 use topple::model::precision::Precision;
 use topple::results::earlier::Kind;
 use topple::scene::builder::SceneBuilder;
-use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::record::RecordText;
 use topple::scene::{Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;
-use topple_manifest::{HistoryRun, Motion, Run};
+use topple_manifest::{HistoryRun, Motion, Run, SceneRun};
 use topple_pictures::map::figure::history as figure;
 
 use super::load::load;
@@ -150,14 +149,9 @@ pub fn run_cell(scene: &Scene, more: &MoreColumns, options: &RunOptions) -> anyh
     out.picture("history", &picture, &png)?;
     let backend = if options.backend() == BackendRequest::Reference { "reference" } else { "cpu" };
     out.finish(Run::History(Box::new(HistoryRun {
-        scene: Some(scene.clone()),
-        device: DeviceNumbers::of(scene),
-        backend: Some(backend.into()),
-        record: scene.excitation.provenance().cloned(),
-        method: Some(options.method()),
+        of: SceneRun::of(scene, backend.into(), options.method(), options.pictures.record()),
         outcome: Some(Motion::Whole(Box::new(outcome))),
         more_columns: more.clone().into(),
-        pictures: options.pictures.record(),
     })))?;
     let say = Reporter::unless(options.quiet);
     words::device(&say, None, scene);

@@ -37,7 +37,6 @@ mod map_file;
 mod map_files;
 mod memory;
 mod merge;
-mod named;
 mod numbers;
 mod options;
 mod picture_flags;

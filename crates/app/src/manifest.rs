@@ -5,11 +5,10 @@ use topple::cells::plan::Plan;
 use topple::refine::report::RefineReport;
 use topple::results::tally::Tally;
 use topple::scene::Grid;
-use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::path_text::PathText;
 use topple::sweep::map::MapSweep;
 use topple::work::parallel;
-use topple_manifest::{MapRun, Origin, Reduced, Run, Steps, Timings};
+use topple_manifest::{MapRun, Origin, Reduced, Run, SceneRun, Steps, Timings};
 use topple_studies::Sharpness;
 
 use super::picture_flags::PictureFlags;
@@ -50,15 +49,11 @@ pub fn of(map: &MapSweep, facts: &Facts, took: Timings) -> Run {
     let shared = shards.iter().all(|(_, report)| report.adapter.as_ref() == adapter);
     Run::Map(Box::new(MapRun {
         tag: *tag,
-        scene: Some(plan.scene.clone()),
-        device: DeviceNumbers::of(&plan.scene),
-        record: plan.scene.excitation.provenance().cloned(),
+        of: SceneRun::of(&plan.scene, backends.join("+"), *method, pictures.record()),
         cells: grid.len(),
         resumed_cells,
-        backend: Some(backends.join("+")),
         adapter: adapter.filter(|_| shared).cloned(),
         threads: threads(),
-        method: Some(*method),
         steps: *steps,
         cells_per_second: (grid.len() - resumed_cells) as f64 / timings.sweep.max(1.0e-9),
         timings,
@@ -70,7 +65,6 @@ pub fn of(map: &MapSweep, facts: &Facts, took: Timings) -> Run {
         sharpness: sharpness.clone(),
         model: Some(reduced(plan, tally)),
         verification: map.verification.clone(),
-        pictures: pictures.record(),
         drawn: *drawn,
         parts: shards
             .iter()

@@ -288,7 +288,8 @@ impl MapOptions {
     /// Takes over how an earlier run computed its cells, on what, and what its map had besides, where no flag says
     /// otherwise. What is returned are the flags of that run which cannot stand beside those that are given.
     pub fn adopt(&mut self, Manifest { run, files, .. }: &Manifest) -> Vec<&'static str> {
-        let (backend, earlier) = run.computed();
+        let of = run.of_scene();
+        let earlier = of.and_then(|of| of.method);
         let map = match run {
             Run::Map(map) => Some(map),
             _ => None,
@@ -332,6 +333,7 @@ impl MapOptions {
             self.files = MapFile::among(files);
         }
         let resolve = resolve || self.run.resolve;
+        let backend = of.and_then(|of| of.backend.as_deref());
         self.run.adopt(backend, earlier.map(|earlier| Method { resolve, ..earlier }));
         left_out
     }

@@ -1,8 +1,8 @@
 //! What is asked of the pictures of a command.
 
-use topple::results::print_palette::Palette;
 use topple::scene::LONGEST_TITLE;
 use topple_manifest::Pictures;
+use topple_pictures::colours::print_palette::Palette;
 use topple_pictures::drawing::print::{Print, PrintError};
 
 use super::numbers::number;

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use topple::results::block::bytes_a_cell;
 use topple::scene::{Grid, Scene};
-use topple_manifest::{ProbabilityRun, Run};
+use topple_manifest::{ProbabilityRun, Run, SceneRun};
 use topple_pictures::drawing::share::percent;
 use topple_pictures::studies::probability as picture;
 use topple_studies::uncertain::probability::{self, Probabilities};
@@ -67,11 +67,13 @@ pub fn run(scene: &Scene, options: &MapOptions, place: Place) -> anyhow::Result<
     }
     let cells = grid.len() * uncertainty.samples as usize;
     let run = Run::Probability(Box::new(ProbabilityRun {
-        scene: Some(scene.clone()),
-        record: scene.excitation.provenance().cloned(),
+        of: SceneRun::of(
+            scene,
+            all.backend.clone(),
+            settings.method,
+            options.run.pictures.record(),
+        ),
         uncertainty: Some(uncertainty.clone()),
-        backend: Some(all.backend.clone()),
-        method: Some(settings.method),
         cells: grid.len(),
         sweep_seconds: all.seconds,
         cells_per_second: cells as f64 / all.seconds.max(1.0e-9),
@@ -79,7 +81,6 @@ pub fn run(scene: &Scene, options: &MapOptions, place: Place) -> anyhow::Result<
         certain: all.certain(),
         largest_standard_error: all.largest_error(),
         verified: all.verified,
-        pictures: options.run.pictures.record(),
     }));
     out.finish(run.clone())?;
     let samples = format!("{} samples of {} cells", uncertainty.samples, grid.len());

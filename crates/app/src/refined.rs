@@ -3,8 +3,8 @@
 use topple::refine::refined::RefinedMap;
 use topple::results::files::Directory;
 use topple::results::own::LEAVES;
-use topple::results::print_palette::Palette;
 use topple::results::{csv, group, npz};
+use topple_pictures::colours::print_palette::Palette;
 use topple_pictures::map::refined::{write_png, write_svg};
 
 use super::map_file::MapFile;

@@ -141,7 +141,10 @@ impl<Own: StudyFlags> StudyCommand<Own> {
         let request = motions.request(common, options, text)?;
         let request = own.request(request, hazard.as_ref(), &mut inputs)?;
         request.check().map_err(|error| own.refused(error))?;
-        let tables = request.tables().into_iter().map(|(file, _)| file.to_string());
+        let exports = request.exports();
+        let exported = exports.iter().map(|(file, _)| *file);
+        let tables = request.tables().into_iter().map(|(file, _)| file);
+        let tables = tables.chain(exported).map(String::from);
         let pictures = own.pictures(&request).into_iter().flat_map(|name| picture_files(&name));
         motions.refuse_foreign(&place, &tables.chain(pictures).collect::<Vec<_>>())?;
         let suite = motions.read()?;
@@ -174,12 +177,19 @@ impl<Own: StudyFlags> StudyCommand<Own> {
             Ok((name, drawn, png))
         });
         let pictures: Vec<_> = pictures.collect::<Result<_, FigureError>>()?;
-        let mut tables = request.tables();
-        tables.retain(|(file, _)| request.has(&study, file));
-        let names = tables.iter().map(|(file, _)| file.to_string());
+        let has = |file: &str| request.has(&study, file);
+        let tables = request.tables().into_iter().filter(|(file, _)| has(file));
+        let tables: Vec<_> = tables.map(|(file, of)| (file, of(&study))).collect();
+        let exports: Vec<_> = exports.into_iter().filter(|(file, _)| has(file)).collect();
+        let exported = exports.iter().map(|(file, _)| *file);
+        let files: Vec<&str> = tables.iter().map(|(file, _)| *file).chain(exported).collect();
+        let names = files.iter().map(|file| file.to_string());
         let drawn = pictures.iter().flat_map(|(name, ..)| picture_files(name));
         out.begin(names.chain(drawn).collect(), &say)?;
-        for (file, write) in &tables {
+        for (file, table) in tables {
+            out.write(file, |to| table.write(to))?;
+        }
+        for (file, write) in exports {
             out.write(file, |mut to| write(&study, &mut to))?;
         }
         for (name, drawn, png) in &pictures {
@@ -204,7 +214,7 @@ impl<Own: StudyFlags> StudyCommand<Own> {
         if let (Some(why), []) = (Own::not_drawn(), &pictures[..]) {
             say.line("picture", why);
         }
-        let named: Vec<&str> = tables.iter().map(|(file, _)| *file).take(Own::NAMED).collect();
+        let named = &files[..Own::NAMED.min(files.len())];
         let name = if named.len() == 1 { "table" } else { "tables" };
         let first = out.file(named[0]);
         let files = [&[&*first.display().to_string()], &named[1..]].concat().join(", ");

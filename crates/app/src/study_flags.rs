@@ -17,7 +17,6 @@ use topple_studies::suites::{Groups, Resample};
 use topple_studies::uncertain::Varied;
 
 use super::inputs::{self, InputReader, Inputs};
-use super::named::resample;
 use super::numbers::{number, seed};
 use super::written::one_of;
 use super::{InputError, words};
@@ -61,7 +60,7 @@ impl LimitFlags {
 pub struct IntervalFlags {
     /// What is resampled for the intervals: event, recording (both components of a station, both directions) or motion
     /// [default: event if the event of each motion is known and there are at least 10, else recording]
-    #[arg(long, value_name = "WHAT", help_heading = "Suite", value_parser = resample)]
+    #[arg(long, value_name = "WHAT", help_heading = "Suite", value_parser = one_of::<Resample>())]
     pub resample: Option<Resample>,
     /// Seed of the resampling, at most 4294967295
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = seed, help_heading = "Suite")]

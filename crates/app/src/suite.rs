@@ -98,7 +98,7 @@ impl SuiteCommand {
         let drawn = picture::draw(&suite, print);
         let png = drawn.png()?;
         out.begin(files.map(String::from).to_vec(), &say)?;
-        out.write(files[0], |w| table::write(&suite, w))?;
+        out.write(files[0], |w| table::suite(&suite).write(w))?;
         out.picture("suite", &drawn, &png)?;
         warn_of_doubts(&suite);
         out.finish(Run::Suite(Box::new(SuiteRun {

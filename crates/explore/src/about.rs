@@ -12,14 +12,14 @@ use topple::Written;
 use topple::backend::report::threads;
 use topple::model::precision::Precision;
 use topple::model::pulse::Shape;
-use topple::results::colour::Colour;
 use topple::results::column_set::ColumnSet;
-use topple::results::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, OUTLINE, dots};
-use topple::results::ramp::{GREYS, PROBABILITY};
 use topple::scene::description::{self, Description};
 use topple::scene::parameters::{Entry, PARAMETERS, Section};
 use topple::scene::{Directions, Overturn, Pressure};
 use topple::stepping::outcome::Class;
+use topple_pictures::colours::Colour;
+use topple_pictures::colours::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, OUTLINE, dots};
+use topple_pictures::colours::ramp::{GREYS, PROBABILITY};
 use topple_pictures::map::figure::fields::{CONTACT, FIELDS};
 
 /// A colour as a page writes it.

@@ -15,11 +15,11 @@ use topple::backend::history::{Row, by_steps_while};
 use topple::model::precision::Precision;
 use topple::results::column_set::ColumnSet;
 use topple::results::columns::Shown;
-use topple::results::palette::Kind;
 use topple::scene::isolation::KelvinVoigt;
 use topple::scene::{Case, Pressure};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::motion_of_cell::{self as motion, What};
+use topple_pictures::colours::palette::Kind;
 
 /// A request for a cell.
 #[derive(Debug, Clone, Deserialize)]

@@ -18,7 +18,6 @@ use topple::model::polynomials::SINE_F64;
 use topple::model::pulse::{ANTISYMMETRIC_PEAK, Shape};
 use topple::results::column_set::ColumnSet;
 use topple::results::columns::STATUS_NAMES;
-use topple::results::palette::{Kind, OPEN};
 use topple::scene::block::OBJECTS;
 use topple::scene::device::{LEAST_PERIOD, Pressure, SLIDER_YIELD};
 use topple::scene::record::Pair;
@@ -27,6 +26,7 @@ use topple::stepping::outcome::Class;
 use topple::stepping::state::{
     EVENT_LIMIT, FINISHED, OVERTURNED_LEFT, OVERTURNED_RIGHT, PROVED, RUNNING, State,
 };
+use topple_pictures::colours::palette::{Kind, OPEN};
 
 /// What the engine knows; `record` is that of the exported scene, where it has one, with its name there.
 ///

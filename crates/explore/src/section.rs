@@ -10,9 +10,9 @@ use super::refused::Refused;
 use super::session::Session;
 use super::stages::at_most;
 use super::view::{kind, marks};
-use topple::results::palette::Kind;
 use topple::scene::{Parameter, Scene, Values};
 use topple::sweep::points::sweep_points;
+use topple_pictures::colours::palette::Kind;
 
 /// A request for the cells along a line.
 #[derive(Debug, Clone, Deserialize)]

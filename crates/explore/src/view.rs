@@ -19,7 +19,6 @@ use topple::refine::settings::RefineSettings;
 use topple::results::chunk::in_array;
 use topple::results::columns::{Column, TABLE};
 use topple::results::outcomes::Outcomes;
-use topple::results::palette::{Kind, is_dotted};
 use topple::results::store_error::StoreError;
 use topple::results::values::ColumnValues;
 use topple::stepping::outcome::{Class, Outcome};
@@ -27,6 +26,7 @@ use topple::sweep::error::SweepError;
 use topple::sweep::job::{Job, SweepResult};
 use topple::sweep::map::MapSweep;
 use topple::work::observer::Observer;
+use topple_pictures::colours::palette::{Kind, is_dotted};
 use topple_pictures::map::Map;
 
 /// What a view shows where it shows no column as a shade.

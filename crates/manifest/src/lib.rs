@@ -2,9 +2,6 @@
 //!
 //! What an older run does not say has its default. A few facts are only written, since nothing but a person reads them.
 
-// A field is a key of run.json, and says what its name says.
-#![allow(missing_docs)]
-
 mod map;
 mod pictures;
 mod study;
@@ -18,11 +15,11 @@ use topple::results::earlier::Kind;
 use topple::scene::path_text::PathText;
 use topple::scene::record::Provenance;
 use topple::scene::{Scene, bounded};
-use topple::sweep::settings::Method;
 use topple_studies::uncertain::Varied;
 
 pub use map::{
-    HistoryRun, MapRun, Motion, MotionRead, Origin, ProbabilityRun, Reduced, Steps, Timings,
+    HistoryRun, MapRun, Motion, MotionRead, Origin, ProbabilityRun, Reduced, SceneRun, Steps,
+    Timings,
 };
 pub use pictures::Pictures;
 pub use study::{
@@ -33,14 +30,19 @@ pub use suite::{Source, Sources, SuiteRun};
 /// run.json.
 #[derive(Debug, Clone, Serialize)]
 pub struct Manifest {
+    /// What its files are of.
     pub kind: Kind,
+    /// The version of the program that wrote it.
     pub version: String,
     /// When it was written, in UTC.
     pub date: Option<String>,
+    /// What the run says.
     #[serde(flatten)]
     pub run: Run,
+    /// What it warned of.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<String>,
+    /// The names of the files beside it.
     pub files: Vec<String>,
 }
 
@@ -48,19 +50,28 @@ pub struct Manifest {
 #[derive(Debug, Clone, Serialize)]
 #[serde(untagged)]
 pub enum Run {
+    /// A map.
     Map(Box<MapRun>),
+    /// The motion of one cell.
     History(Box<HistoryRun>),
+    /// Probabilities of outcomes.
     Probability(Box<ProbabilityRun>),
+    /// A suite of records.
     Suite(Box<SuiteRun>),
+    /// An envelope.
     Envelope(Box<StudyRun<Envelope>>),
+    /// A fragility.
     Fragility(Box<StudyRun<Fragility>>),
+    /// A comparison of devices.
     Comparison(Box<StudyRun<Comparison>>),
 }
 
 /// The words of a command, and the directory that its relative paths are in.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CommandLine {
+    /// The words after the program's name.
     pub arguments: Vec<PathText>,
+    /// The working directory.
     pub directory: PathText,
 }
 
@@ -128,25 +139,27 @@ impl Run {
         }
     }
 
+    /// What a run of one scene says; none of a suite and its studies.
+    pub fn of_scene(&self) -> Option<&SceneRun> {
+        match self {
+            Run::Map(run) => Some(&run.of),
+            Run::History(run) => Some(&run.of),
+            Run::Probability(run) => Some(&run.of),
+            _ => None,
+        }
+    }
+
     /// The scene as run, defaults filled in; of a study under the first motion; none of a suite.
     pub fn scene(&self) -> Option<&Scene> {
-        match self {
-            Run::Map(run) => run.scene.as_ref(),
-            Run::History(run) => run.scene.as_ref(),
-            Run::Probability(run) => run.scene.as_ref(),
-            Run::Suite(_) => None,
-            _ => self.study()?.scene.as_ref(),
+        match self.of_scene() {
+            Some(run) => run.scene.as_ref(),
+            None => self.study()?.scene.as_ref(),
         }
     }
 
     /// Where the record of its scene came from, if it has one that was read from files.
     pub fn record(&self) -> Option<&Provenance> {
-        match self {
-            Run::Map(run) => run.record.as_ref(),
-            Run::History(run) => run.record.as_ref(),
-            Run::Probability(run) => run.record.as_ref(),
-            _ => None,
-        }
+        self.of_scene()?.record.as_ref()
     }
 
     /// What the motions of its suite were read from, by their ids; none without a suite.
@@ -165,16 +178,6 @@ impl Run {
         }
     }
 
-    /// What the cells of a scene were computed on, and how, where it tells that; nothing of a suite's runs, which have a command.
-    pub fn computed(&self) -> (Option<&str>, Option<Method>) {
-        match self {
-            Run::Map(run) => (run.backend.as_deref(), run.method),
-            Run::History(run) => (run.backend.as_deref(), run.method),
-            Run::Probability(run) => (run.backend.as_deref(), run.method),
-            _ => (None, None),
-        }
-    }
-
     /// Checksums of the files that a study read beside its motions, by the flags that name them; none of other runs.
     pub fn inputs(&self) -> Option<&BTreeMap<String, String>> {
         match self {
@@ -187,9 +190,9 @@ impl Run {
     /// How its pictures are printed.
     pub fn pictures(&self) -> &Pictures {
         match self {
-            Run::Map(run) => &run.pictures,
-            Run::History(run) => &run.pictures,
-            Run::Probability(run) => &run.pictures,
+            Run::Map(run) => &run.of.pictures,
+            Run::History(run) => &run.of.pictures,
+            Run::Probability(run) => &run.of.pictures,
             Run::Suite(run) => &run.pictures,
             Run::Envelope(run) => &run.study.pictures,
             Run::Fragility(run) => &run.study.pictures,

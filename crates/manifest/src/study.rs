@@ -22,10 +22,13 @@ use super::suite::Sources;
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct StudyRun<Own> {
+    /// What every study says.
     #[serde(flatten)]
     pub study: Study,
+    /// What this one says.
     #[serde(flatten)]
     pub own: Own,
+    /// What the reference says of a sample of cells.
     pub verified: Verified,
 }
 
@@ -35,29 +38,45 @@ pub struct StudyRun<Own> {
 pub struct Study {
     /// The scene under the first motion; of a comparison that of the first device.
     pub scene: Option<Scene>,
+    /// What the numbers of its device make of the base.
     #[serde(skip_serializing_if = "Option::is_none", skip_deserializing)]
     pub device: Option<DeviceNumbers>,
+    /// The path of the suite.
     pub suite: Option<PathText>,
+    /// The command that repeats it.
     pub command: Option<CommandLine>,
     /// The suite's motions, each once.
     pub motions: Vec<String>,
     /// True where each motion is taken in both directions, as it is and reversed.
     pub both_directions: bool,
+    /// What the motions were read from.
     pub records: Sources,
     /// Why lines of the suite have no motion, by their ids.
     pub left_out: BTreeMap<String, String>,
+    /// gpu or cpu, or reference.
     pub backend: Option<String>,
+    /// The adapter, for a GPU.
     pub adapter: Option<AdapterDescription>,
+    /// Threads of the CPU.
     pub threads: usize,
     // A method, but for its columns: a study has a key of this name.
+    /// The numbers of the sweep.
     pub precision: Option<Precision>,
+    /// The largest step, s.
     pub largest_step: f64,
+    /// Each cell is run again with half the step.
     pub resolve: bool,
+    /// No shortcuts are taken.
     pub full_model: bool,
+    /// Cells beside boundaries are run again.
     pub repair: bool,
+    /// Cells of the grid.
     pub cells: usize,
+    /// Time of all sweeps, s.
     pub sweep_seconds: f64,
+    /// Cells of all motions by this time.
     pub records_times_cells_per_second: f64,
+    /// How its pictures are printed.
     #[serde(skip_serializing_if = "Pictures::is_plain")]
     pub pictures: Pictures,
 }
@@ -73,16 +92,21 @@ impl Study {
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Envelope {
+    /// The limits.
     #[serde(flatten)]
     pub limits: Limits,
+    /// What makes a feasible cell the best.
     pub best: Best,
+    /// How many cells are feasible.
     pub feasible: usize,
     /// The best cell; none if no cell is feasible.
     pub best_cell: Option<usize>,
     /// Columns of a map that are told, too.
     pub columns: Vec<String>,
+    /// What the intervals are made of.
     #[serde(flatten)]
     pub drawn: Drawn,
+    /// The numbers that are not known.
     #[serde(flatten)]
     pub unknown: Unknown,
 }
@@ -91,18 +115,24 @@ pub struct Envelope {
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Fragility {
+    /// The intensity measure of the levels.
     pub im: Option<Intensity>,
     /// Levels; none where each motion is as it is.
     pub levels: Option<Vec<f64>>,
+    /// The limit states, by their names.
     pub limit_states: Vec<String>,
     /// The estimators, by theirs; the first is the one that is drawn.
     pub estimators: Vec<String>,
+    /// What the intervals are made of.
     #[serde(flatten)]
     pub drawn: Drawn,
+    /// The numbers that are not known.
     #[serde(flatten)]
     pub unknown: Unknown,
+    /// The hazard of the site.
     #[serde(flatten)]
     pub site: Site,
+    /// The annual rate that is accepted.
     pub target: Option<f64>,
     /// Runs of which nothing is known: they are left out.
     pub unresolved: usize,
@@ -117,18 +147,23 @@ pub struct Fragility {
 pub struct Comparison {
     /// The list of devices.
     pub list: Option<PathText>,
+    /// Its devices, in their order.
     pub devices: Vec<DeviceRun>,
+    /// The limits.
     #[serde(flatten)]
     pub limits: Limits,
     /// Factors on the motions for the reserve.
     pub scales: Vec<f64>,
     /// Columns of a map that are told, too.
     pub columns: Vec<String>,
+    /// What the intervals are made of.
     #[serde(flatten)]
     pub drawn: Drawn,
+    /// The intensity measure of the levels.
     pub im: Option<Intensity>,
     /// Levels; none where each motion is as it is.
     pub levels: Option<Vec<f64>>,
+    /// The hazard of the site.
     #[serde(flatten)]
     pub site: Site,
 }
@@ -136,7 +171,9 @@ pub struct Comparison {
 /// A device of a comparison.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct DeviceRun {
+    /// Its name.
     pub device: String,
+    /// Its scene under the first motion.
     pub scene: Scene,
 }
 
@@ -144,8 +181,11 @@ pub struct DeviceRun {
 #[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Limits {
+    /// Share of the motions under which the block must stand.
     pub standing: Option<f64>,
+    /// Largest |u|, m.
     pub limit_u: Option<f64>,
+    /// Largest stroke of v, m.
     pub limit_v: Option<f64>,
 }
 
@@ -153,9 +193,13 @@ pub struct Limits {
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Drawn {
+    /// What is drawn.
     pub resample: Option<Resample>,
+    /// Of how many it is drawn.
     pub groups: Option<usize>,
+    /// How often.
     pub replicates: Option<u32>,
+    /// The seed of what is drawn.
     pub seed: u32,
 }
 
@@ -163,7 +207,9 @@ pub struct Drawn {
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Unknown {
+    /// Their distributions.
     pub vary: Vec<Varied>,
+    /// The number of points of these.
     pub samples: Option<u32>,
 }
 
@@ -171,7 +217,9 @@ pub struct Unknown {
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Site {
+    /// The path of the hazard curve.
     pub hazard: Option<PathText>,
+    /// The unit in which its levels were read.
     pub hazard_units: Option<String>,
     /// What it was read from, in words.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -1,11 +1,12 @@
 //! The block on its base: the block to scale, what carries it as symbols.
 
-use topple::results::colour::BLACK;
 use topple::scene::parameters::{Entry, Section};
 use topple::scene::record::rounded;
 use topple::scene::{Case, Device, Grid, Parameter, Scene};
+use topple_pictures::colours::BLACK;
 use topple_pictures::drawing::canvas::{Canvas, Place, dashed, stroke};
 use topple_pictures::drawing::picture::Picture;
+use topple_pictures::drawing::shapes::spring;
 use topple_pictures::drawing::share::percent;
 use topple_pictures::drawing::text::{MIDDLE, style};
 use topple_pictures::drawing::{COLUMN, FONT};
@@ -93,18 +94,7 @@ pub fn draw(scene: &Scene, case: &Case) -> Picture {
         plate(&mut canvas, y, format!("m_v = {} kg", short(base.plate_v)));
         y += PLATE;
         for x in [left, right] {
-            let turns = 6;
-            let step = SPRING / f64::from(turns);
-            let points = (0..=turns).map(|k| {
-                let side = match k {
-                    0 => 0.0,
-                    k if k == turns => 0.0,
-                    k if k % 2 == 0 => -4.0,
-                    _ => 4.0,
-                };
-                (x + side, y + step * f64::from(k))
-            });
-            canvas.line(points, line);
+            canvas.line(spring((x, y), (x, y + SPRING), 6, 4.0), line);
         }
         beside(&mut canvas, y + 0.5 * SPRING, format!("T_v = {} s", short(vertical.t_v)));
         y += SPRING;

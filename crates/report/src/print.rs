@@ -1,6 +1,6 @@
 //! A report as a PDF of A4 pages, drawn as the pictures are.
 
-use topple::results::colour::BLACK;
+use topple_pictures::colours::BLACK;
 use topple_pictures::drawing::canvas::{Canvas, Place, stroke};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::letters::Missing;

@@ -4,7 +4,7 @@
 //! ```text
 //! statistics -> uncertain -> suites -> fragility -> comparison (of devices)
 //! statistics -> sharpness (of one sweep)
-//! sheet (tables of text) -> suites, fragility, comparison
+//! sheet (tables of text, read), table (columns, written) -> suites, fragility, comparison
 //! ```
 
 pub mod comparison;
@@ -15,6 +15,7 @@ pub mod sheet;
 pub mod statistics;
 pub mod study;
 pub mod suites;
+pub mod table;
 pub mod uncertain;
 
 pub use comparison::{Compared, Comparison, ComparisonRequest, Device, RateRequest, Reserve};
@@ -29,7 +30,7 @@ pub use fragility::{
 pub use sharpness::Sharpness;
 pub use sheet::{TableError, row_in_comment};
 pub use statistics::{Bootstrap, Distribution, DistributionError};
-pub use study::{Study, StudyError, StudyJob, StudyRequest, StudyTable};
+pub use study::{Study, StudyError, StudyJob, StudyRequest};
 pub use suites::envelope::{
     Best, CellEnvelope, Envelope, EnvelopeRequest, EnvelopeSettings, Limits,
 };

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use crate::sheet::TableError;
 use crate::suites::Suite;
 use crate::suites::swept::{SuiteJob, SuiteSweep};
+use crate::table::Table;
 use topple::backend::backend_error::BackendError;
 use topple::scene::{Scene, SceneError};
 use topple::sweep::error::SweepError;
@@ -30,7 +31,12 @@ pub trait StudyRequest: Sync {
     /// The tables that a study of it may have.
     fn tables(&self) -> Vec<StudyTable<Self::Study>>;
 
-    /// True where a study has something for one of them.
+    /// The files for other programs that it may have.
+    fn exports(&self) -> Vec<StudyExport<Self::Study>> {
+        Vec::new()
+    }
+
+    /// True where a study has something for one of these files.
     fn has(&self, _study: &Self::Study, _file: &str) -> bool {
         true
     }
@@ -71,8 +77,10 @@ impl<S: Study> StudyJob<S> {
     }
 }
 
-/// A table of a study: the name of its file, and what writes it.
-pub type StudyTable<S> = (&'static str, fn(&S, &mut dyn Write) -> io::Result<()>);
+/// A table of a study: the name of its file, and what makes it.
+pub type StudyTable<S> = (&'static str, for<'a> fn(&'a S) -> Table<'a>);
+/// A file of a study for another program: its name, and what writes it.
+pub type StudyExport<S> = (&'static str, fn(&S, &mut dyn Write) -> io::Result<()>);
 
 /// Why there is no study.
 #[derive(Debug, thiserror::Error)]

@@ -12,7 +12,7 @@ use topple_studies::suites::read::Reading;
 use topple_studies::suites::saved;
 use topple_studies::{Study, StudyError, StudyRequest, Suite, SuiteRequest};
 
-use super::described::text;
+use super::described::columns;
 use crate::errors::{of_keyword, of_scene, of_suite, of_sweep};
 use crate::keywords::{Request, baseline, given, taken, warn_of_doubts};
 use crate::watch::{self, Watch};
@@ -20,7 +20,7 @@ use crate::watch::{self, Watch};
 /// The keywords of each such call that are not those of a scene.
 const SHARED: &str = "suite strict baseline both_directions limit_u limit_v resample seed";
 
-/// Tables, CSV by name, and JSON; of a part of the motions there are none.
+/// Tables by name, each as its [`columns`], and JSON; of a part of the motions there are none.
 pub type Tables<'py> = (Option<Bound<'py, PyDict>>, Option<String>);
 
 /// What keywords ask for, beside the request of the suite.
@@ -116,9 +116,10 @@ impl<'a, 'py> Call<'a, 'py> {
         about: &Value,
     ) -> PyResult<Tables<'py>> {
         let all = PyDict::new(self.py);
-        for (file, write) in request.tables() {
+        for (file, table) in request.tables() {
             if file != RUNS && request.has(&study, file) {
-                all.set_item(file.trim_end_matches(".csv"), text(|to| write(&study, to))?)?;
+                let table = columns(self.py, table(&study))?;
+                all.set_item(file.trim_end_matches(".csv"), table)?;
             }
         }
         study.sweep().discard_saved()?;

@@ -3,11 +3,11 @@
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
-use topple_studies::comparison::{self, devices};
+use topple_studies::comparison::devices;
 use topple_studies::{ComparisonRequest, Intensity, RateRequest, row_in_comment};
 
 use super::call::{Call, Tables};
-use super::described::{described_with, told};
+use super::described::told;
 use crate::errors::of_keyword;
 use crate::keywords::{given, warn_of_doubts};
 use crate::uncertain::A_SEED;
@@ -15,7 +15,7 @@ use crate::uncertain::A_SEED;
 /// Its own keywords.
 const OWN: &str = "standing devices scales columns im levels units hazard hazard_units";
 
-/// Compares devices under a suite: `(tables, about)`, CSV by name and JSON, None of a shard.
+/// Compares devices under a suite: `(tables, about)`, by name and as JSON, None of a shard.
 #[pyfunction]
 pub fn compare<'py>(
     py: Python<'py>,
@@ -40,9 +40,7 @@ pub fn compare<'py>(
         request.rate = Some(RateRequest { im, levels: call.levels(im)?, hazard });
     }
     let Some(compared) = call.run(&request)? else { return Ok((None, None)) };
-    let columns = [&comparison::COLUMNS[..], &comparison::RESERVE, &comparison::RATES].concat();
     let mut about = told(&compared.sweep, &call.suite);
-    about["columns"] = described_with(&columns, &compared.settings.columns);
     about["resample"] = json!(compared.settings.groups.by);
     about["groups"] = json!(compared.settings.groups.count);
     call.tables(&request, compared, &about)

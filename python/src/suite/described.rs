@@ -1,37 +1,31 @@
-//! What is told of tables and sweeps, as JSON, and tables as text.
+//! What is told of tables and sweeps: tables as arrays, the rest as JSON.
 
-use std::fmt::Display;
-
-use pyo3::exceptions::PyOSError;
+use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use serde_json::{Value, json};
 use topple::results::about;
-use topple::results::columns::Column;
-use topple_studies::suites::columns::{self, ColumnUnit, TableColumn};
+use topple_studies::table::{Field, Table};
 use topple_studies::{Suite, SuiteSweep};
 
 use crate::axes::{axes, coordinates};
 
-/// Units and meanings of columns by their names; `of_measure` is the unit of the intensity measure.
-pub fn described(columns: &[TableColumn], of_measure: &str) -> Value {
-    let one = |column: &TableColumn| {
-        let unit = match column.unit {
-            ColumnUnit::Name => "",
-            ColumnUnit::Of(unit) => unit,
-            ColumnUnit::OfMeasure => of_measure,
-        };
-        (column.name.to_string(), json!({ "unit": unit, "meaning": column.meaning }))
-    };
-    Value::Object(columns.iter().map(one).collect())
-}
+/// A table: the cell of each row, and its columns after the axes, by their names: values, unit and meaning. Texts have no unit; a
+/// number that is not known is none.
+pub type Columns<'py> = (Bound<'py, PyArray1<usize>>, Bound<'py, PyDict>);
 
-/// The same with those of a map's columns that are told, too.
-pub fn described_with(columns: &[TableColumn], further: &[Column]) -> Value {
-    let mut all = described(columns, "");
-    for (name, unit, meaning) in further.iter().flat_map(|column| columns::further(*column)) {
-        all[name] = json!({ "unit": unit, "meaning": meaning });
+/// The columns of a table.
+pub fn columns<'py>(py: Python<'py>, table: Table) -> PyResult<Columns<'py>> {
+    let (cells, columns) = table.into_columns();
+    let all = PyDict::new(py);
+    for (about, values) in columns {
+        let values = match about.unit {
+            Some(_) => PyArray1::from_iter(py, values.iter().map(Field::number)).into_any(),
+            None => values.iter().map(Field::text).collect::<Vec<_>>().into_pyobject(py)?,
+        };
+        all.set_item(&*about.name, (values, about.unit.unwrap_or_default(), &*about.meaning))?;
     }
-    all
+    Ok((cells.into_pyarray(py), all))
 }
 
 /// What motions there were, and how they were swept.
@@ -54,11 +48,4 @@ pub fn told_of_grid(sweep: &SuiteSweep, suite: &Suite) -> Value {
     about["axes"] = json!(axes(&sweep.grid));
     about["coordinates"] = json!(coordinates(&sweep.grid));
     about
-}
-
-/// What is written to a table.
-pub fn text<E: Display>(write: impl FnOnce(&mut Vec<u8>) -> Result<(), E>) -> PyResult<String> {
-    let mut bytes = Vec::new();
-    write(&mut bytes).map_err(|error| PyOSError::new_err(error.to_string()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }

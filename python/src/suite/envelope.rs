@@ -4,11 +4,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
 use topple::Written;
-use topple_studies::suites::envelope as tables;
 use topple_studies::{Best, EnvelopeRequest};
 
 use super::call::{Call, Tables};
-use super::described::{described_with, told_of_grid};
+use super::described::told_of_grid;
 use crate::uncertain::{A_SEED, varied};
 
 /// Its own keywords.
@@ -17,7 +16,7 @@ const OWN: &str = "standing best columns vary samples";
 /// Feasible cells that are told.
 const BEST: usize = 20;
 
-/// Sweeps a scene under every motion of a suite: `(tables, about)`, CSV by name and JSON, None of a shard.
+/// Sweeps a scene under every motion of a suite: `(tables, about)`, by name and as JSON, None of a shard.
 #[pyfunction]
 pub fn envelope<'py>(
     py: Python<'py>,
@@ -34,9 +33,7 @@ pub fn envelope<'py>(
     request.samples = call.number("samples", "a number of points")?.unwrap_or(request.samples);
     call.needs(&[])?;
     let Some(envelope) = call.run(&request)? else { return Ok((None, None)) };
-    let columns = [&tables::COLUMNS[..], &tables::ZETA_COLUMNS].concat();
     let mut about = told_of_grid(&envelope.sweep, &call.suite);
-    about["columns"] = described_with(&columns, &envelope.settings.columns);
     about["best"] = json!(envelope.best().iter().take(BEST).collect::<Vec<_>>());
     call.tables(&request, envelope, &about)
 }

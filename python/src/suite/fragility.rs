@@ -4,18 +4,17 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use serde_json::json;
 use topple::Written;
-use topple_studies::fragility::table_columns::{CAPACITIES, COUNTS, FITS, RATES, SENSITIVITY};
 use topple_studies::{Estimator, FragilityRequest};
 
 use super::call::{Call, Tables};
-use super::described::{described, told_of_grid};
+use super::described::told_of_grid;
 use crate::uncertain::{A_SEED, varied};
 
 /// Its own keywords.
 const OWN: &str =
     "limit_zeta im levels units estimator bootstrap vary samples hazard hazard_units target";
 
-/// How likely a block falls under a suite: `(tables, about)`, CSV by name and JSON, None of a shard.
+/// How likely a block falls under a suite: `(tables, about)`, by name and as JSON, None of a shard.
 #[pyfunction]
 pub fn fragility<'py>(
     py: Python<'py>,
@@ -39,12 +38,10 @@ pub fn fragility<'py>(
     call.needs(&[])?;
     request.hazard = call.hazard(request.im)?;
     let Some(study) = call.run(&request)? else { return Ok((None, None)) };
-    let columns = [COUNTS.as_slice(), &FITS, &CAPACITIES, &SENSITIVITY, &RATES].concat();
     let mut about = told_of_grid(&study.sweep, &call.suite);
     about["im"] = json!(request.im);
     about["im_units"] = json!(request.im.unit());
     about["resample"] = json!(study.settings.groups.by);
     about["groups"] = json!(study.settings.groups.count);
-    about["columns"] = described(&columns, request.im.unit());
     call.tables(&request, study, &about)
 }

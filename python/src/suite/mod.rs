@@ -19,16 +19,16 @@ use topple_studies::suites::table;
 use crate::errors::of_suite;
 use crate::keywords::{self, warn_of_doubts};
 use crate::watch;
-use described::{described, text};
+use described::{Columns, columns};
 
-/// Reads a suite: `(table, about)`, CSV and JSON.
+/// Reads a suite: `(table, about)`, [`columns`] and JSON.
 #[pyfunction]
 pub fn suite(
     py: Python<'_>,
     path: PathBuf,
     strict: bool,
     baseline: Option<String>,
-) -> PyResult<(String, String)> {
+) -> PyResult<(Columns<'_>, String)> {
     let reading = Reading { strict, baseline: keywords::baseline(baseline)? };
     let suite =
         watch::run_unheard(py, move || Suite::read_as(&path, reading))?.map_err(of_suite)?;
@@ -39,7 +39,6 @@ pub fn suite(
         "unused": unused,
         "program": "topple",
         "version": env!("CARGO_PKG_VERSION"),
-        "columns": described(&table::COLUMNS, ""),
     });
-    Ok((text(|w| table::write(&suite, w))?, about.to_string()))
+    Ok((columns(py, table::suite(&suite))?, about.to_string()))
 }

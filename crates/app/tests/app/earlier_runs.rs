@@ -56,7 +56,7 @@ fn each_kind_is_written_as_it_was_read() {
 fn what_repeats_a_run_is_read() {
     let (Run::Map(map), Run::History(history)) = (read("map"), read("history")) else { panic!() };
     assert_eq!(map.refined.unwrap().levels.len(), 1);
-    assert!(map.sharpness.is_some() && map.method.is_some());
+    assert!(map.sharpness.is_some() && map.of.method.is_some());
     assert_eq!(history.more_columns, "acc_plate,n");
     let Run::Probability(probability) = read("probability") else { panic!() };
     assert_eq!(probability.uncertainty.unwrap().samples, 4);

@@ -82,7 +82,7 @@ fn the_best_cell_lies_farthest_from_cells_that_fail() {
     }
     assert!(ends > 0, "no best cell lies at an end");
     let line = format!("{ENVELOPE} --object 1 --best least");
-    room.refuses(&line, &["there are reserve, stroke_u, stroke_v"]);
+    room.refuses(&line, &["[possible values: reserve, stroke_u, stroke_v]"]);
 }
 
 /// The share of the motions at points that are drawn is the mean of what each motion alone has at the same points.

@@ -87,7 +87,7 @@ pub fn manifests() -> Vec<Vec<u8>> {
 fn run_again(path: &Path) -> Result<(), String> {
     let found = earlier_run::at(path).ok_or("no results")??;
     let run = found.manifest.as_ref().map(|manifest| &manifest.run);
-    if let Some((_, Some(method))) = run.map(Run::computed) {
+    if let Some(method) = run.and_then(Run::of_scene).and_then(|of| of.method) {
         method.plan(&found.scene).map_err(|error| error.to_string())?;
     }
     if let Some(Run::Probability(of)) = run

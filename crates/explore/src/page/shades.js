@@ -20,7 +20,7 @@ const rgb = (red, green, blue) => ((255 << 24) | (blue << 16) | (green << 8) | r
 /** True for a column that is a share of a suite's motions. */
 export const isShare = (about, name) => Boolean(shownAs(about, name)?.share);
 
-/** The colour of a share of a scale, as a word. Twin: src/results/ramp.rs. */
+/** The colour of a share of a scale, as a word. Twin: crates/pictures/src/colours/ramp.rs. */
 export function shade(about, name, share) {
   const { probability, greys: [light, dark], falls } = about.shades;
   const at = Math.min(1, Math.max(0, share));

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::fit::slope;
 use super::table::Row;
-use topple::results::colour::Colour;
+use topple_pictures::colours::Colour;
 use topple_pictures::drawing::canvas::write;
 use topple_pictures::drawing::canvas::{Canvas, Place, stroke};
 use topple_pictures::drawing::caption::bounded;

@@ -2,7 +2,7 @@
 
 use std::io::{Read, Write};
 
-use serde::Deserialize;
+use serde::{Deserialize, Serialize, Serializer};
 
 use super::errors::{Errors, Spread};
 
@@ -46,29 +46,45 @@ impl Row {
     }
 }
 
-/// A row as written, by the names of the columns.
-#[derive(Deserialize)]
+/// A number that is written with an exponent.
+#[derive(Clone, Copy, Deserialize)]
+struct Exponent(f64);
+
+impl Serialize for Exponent {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        to.collect_str(&format_args!("{:e}", self.0))
+    }
+}
+
+/// Writes a time to a millisecond.
+fn to_milliseconds<S: Serializer>(time: &f64, to: S) -> Result<S::Ok, S::Error> {
+    to.collect_str(&format_args!("{time:.3}"))
+}
+
+/// A row as written, by the names of the columns. A number that there is none of is left empty.
+#[derive(Serialize, Deserialize)]
 struct Written {
     scene: String,
     method: String,
     precision: String,
-    step: Option<f64>,
-    tolerance: Option<f64>,
+    step: Option<Exponent>,
+    tolerance: Option<Exponent>,
     threads: usize,
-    seconds_a_cell: f64,
-    device_seconds_a_cell: Option<f64>,
+    seconds_a_cell: Exponent,
+    device_seconds_a_cell: Option<Exponent>,
+    #[serde(serialize_with = "to_milliseconds")]
     start_seconds: f64,
     runs: u32,
     cells: usize,
     cells_failed: usize,
     outcomes_differ: usize,
     sequences_agree: Option<usize>,
-    event_time_median: Option<f64>,
-    event_time_p99: Option<f64>,
-    event_state_median: Option<f64>,
-    event_state_p99: Option<f64>,
-    zeta_median: Option<f64>,
-    zeta_p99: Option<f64>,
+    event_time_median: Option<Exponent>,
+    event_time_p99: Option<Exponent>,
+    event_state_median: Option<Exponent>,
+    event_state_p99: Option<Exponent>,
+    zeta_median: Option<Exponent>,
+    zeta_p99: Option<Exponent>,
 }
 
 /// The fault of a table that is read.
@@ -91,13 +107,13 @@ pub fn read(reader: impl Read, benches: &[&'static str]) -> Result<Vec<Row>, Tab
         let found = names.iter().copied().find(|known| *known == name);
         found.ok_or_else(|| TableError::Name(format!("'{name}' is none of {}", names.join(", "))))
     };
-    let spread = |median: Option<f64>, p99: Option<f64>| {
-        median.zip(p99).map(|(median, p99)| Spread { median, p99 })
+    let spread = |median: Option<Exponent>, p99: Option<Exponent>| {
+        median.zip(p99).map(|(Exponent(median), Exponent(p99))| Spread { median, p99 })
     };
     let mut rows = Vec::new();
     for row in csv::Reader::from_reader(reader).deserialize::<Written>() {
         let row = row?;
-        let Some(setting) = row.step.or(row.tolerance) else {
+        let Some(Exponent(setting)) = row.step.or(row.tolerance) else {
             return Err(TableError::Name(format!(
                 "{}: neither a step nor a tolerance",
                 row.method
@@ -110,8 +126,8 @@ pub fn read(reader: impl Read, benches: &[&'static str]) -> Result<Vec<Row>, Tab
             steps: row.step.is_some(),
             setting,
             threads: row.threads,
-            seconds: row.seconds_a_cell,
-            device: row.device_seconds_a_cell,
+            seconds: row.seconds_a_cell.0,
+            device: row.device_seconds_a_cell.map(|device| device.0),
             start: row.start_seconds,
             runs: row.runs,
             errors: Errors {
@@ -128,65 +144,39 @@ pub fn read(reader: impl Read, benches: &[&'static str]) -> Result<Vec<Row>, Tab
     Ok(rows)
 }
 
-/// Writes the table. A number that there is none of is left empty.
+/// Writes the table.
 ///
 /// # Errors
 /// Those of the writer.
 pub fn write(rows: &[Row], writer: impl Write) -> Result<(), csv::Error> {
     let mut table = csv::Writer::from_writer(writer);
-    table.write_record([
-        "scene",
-        "method",
-        "precision",
-        "step",
-        "tolerance",
-        "threads",
-        "seconds_a_cell",
-        "device_seconds_a_cell",
-        "start_seconds",
-        "runs",
-        "cells",
-        "cells_failed",
-        "outcomes_differ",
-        "sequences_agree",
-        "event_time_median",
-        "event_time_p99",
-        "event_state_median",
-        "event_state_p99",
-        "zeta_median",
-        "zeta_p99",
-    ])?;
     for row in rows {
         let e = &row.errors;
-        let number = |value: Option<f64>| value.map_or(String::new(), |value| format!("{value:e}"));
-        let spread = |spread: Option<Spread>| {
-            [number(spread.map(|s| s.median)), number(spread.map(|s| s.p99))]
-        };
-        let [time_median, time_p99] = spread(e.time);
-        let [motion_median, motion_p99] = spread(e.motion);
-        let [zeta_median, zeta_p99] = spread(e.zeta);
-        table.write_record([
-            row.bench.to_string(),
-            row.method.clone(),
-            row.precision.to_string(),
-            number(row.steps.then_some(row.setting)),
-            number((!row.steps).then_some(row.setting)),
-            row.threads.to_string(),
-            format!("{:e}", row.seconds),
-            number(row.device),
-            format!("{:.3}", row.start),
-            row.runs.to_string(),
-            e.cells.to_string(),
-            e.failed.to_string(),
-            e.differ.to_string(),
-            e.sequences.map_or(String::new(), |count| count.to_string()),
-            time_median,
-            time_p99,
-            motion_median,
-            motion_p99,
-            zeta_median,
-            zeta_p99,
-        ])?;
+        let median = |of: Option<Spread>| of.map(|of| Exponent(of.median));
+        let p99 = |of: Option<Spread>| of.map(|of| Exponent(of.p99));
+        let setting = Exponent(row.setting);
+        table.serialize(Written {
+            scene: row.bench.into(),
+            method: row.method.clone(),
+            precision: row.precision.into(),
+            step: row.steps.then_some(setting),
+            tolerance: (!row.steps).then_some(setting),
+            threads: row.threads,
+            seconds_a_cell: Exponent(row.seconds),
+            device_seconds_a_cell: row.device.map(Exponent),
+            start_seconds: row.start,
+            runs: row.runs,
+            cells: e.cells,
+            cells_failed: e.failed,
+            outcomes_differ: e.differ,
+            sequences_agree: e.sequences,
+            event_time_median: median(e.time),
+            event_time_p99: p99(e.time),
+            event_state_median: median(e.motion),
+            event_state_p99: p99(e.motion),
+            zeta_median: median(e.zeta),
+            zeta_p99: p99(e.zeta),
+        })?;
     }
     table.flush()?;
     Ok(())

@@ -3,14 +3,15 @@
 
 use super::marks;
 use topple::backend::history::Row;
-use topple::results::colour::{BLACK, Colour};
-use topple::results::palette::{CURVES, Kind};
 use topple::scene::{Case, GRAVITY, Scene};
 use topple::stepping::outcome::Outcome;
+use topple_pictures::colours::palette::{CURVES, Kind};
+use topple_pictures::colours::{BLACK, Colour};
 use topple_pictures::drawing::canvas::{Canvas, Place, Point, Stroke, stroke};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::frame::{Axis, BOTH, Frame, LEFT};
 use topple_pictures::drawing::picture::Picture;
+use topple_pictures::drawing::shapes::spring;
 use topple_pictures::drawing::text::style;
 use topple_pictures::drawing::{FONT, TITLE};
 
@@ -171,11 +172,11 @@ fn sketch(canvas: &mut Canvas, middle: f64, case: &Case, now: &Row) {
         canvas.disc(place((u + x, low / 2.0)), 1.0, BLACK);
     }
     canvas.line([(-1.0, 0.0), (-1.0, 0.16)].map(place), black(0.8));
-    let spring = zigzag((-1.0, low + thick / 2.0), (u - half, low + thick / 2.0));
-    canvas.line(spring.into_iter().map(place), black(0.45));
+    let zigzag = |from: Point, to: Point| spring(from, to, 8, 0.035).map(place);
+    let beside = zigzag((-1.0, low + thick / 2.0), (u - half, low + thick / 2.0));
+    canvas.line(beside, black(0.45));
     for x in [-0.3, 0.3] {
-        let spring = zigzag((u + x, low + thick), (u + x, REST + v));
-        canvas.line(spring.into_iter().map(place), black(0.45));
+        canvas.line(zigzag((u + x, low + thick), (u + x, REST + v)), black(0.45));
     }
     // The block turns about the left corner for phi > 0, about the right one for phi < 0.
     let b = block.half_width;
@@ -194,24 +195,4 @@ fn sketch(canvas: &mut Canvas, middle: f64, case: &Case, now: &Row) {
     for (x, mode) in [(-b, "rocking_left"), (b, "rocking_right")] {
         canvas.disc(turned(x, 0.0), 1.4, if now.mode == mode { RED } else { BLACK });
     }
-}
-
-/// A spring from one point to another.
-fn zigzag(from: (f64, f64), to: (f64, f64)) -> Vec<(f64, f64)> {
-    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
-    let length = dx.hypot(dy).max(f64::MIN_POSITIVE);
-    let (nx, ny) = (-dy / length * 0.035, dx / length * 0.035);
-    let bends = 8;
-    (0..=bends)
-        .map(|k| {
-            let share = f64::from(k) / f64::from(bends);
-            let off = match k {
-                0 => 0.0,
-                k if k == bends => 0.0,
-                k if k % 2 == 0 => 1.0,
-                _ => -1.0,
-            };
-            (from.0 + dx * share + off * nx, from.1 + dy * share + off * ny)
-        })
-        .collect()
 }

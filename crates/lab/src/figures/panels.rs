@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::layout::{Panels, Plot, title};
 use super::{Figure, Panel, Shows, parameters};
-use topple::results::colour::{BLACK, WHITE};
-use topple::results::palette::{Kind, Parity};
+use topple_pictures::colours::palette::{Kind, Parity};
+use topple_pictures::colours::{BLACK, WHITE};
 use topple_pictures::drawing::canvas::write;
 use topple_pictures::drawing::canvas::{Canvas, dashed, stroke};
 use topple_pictures::drawing::caption::{bounded, listed};

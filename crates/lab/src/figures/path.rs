@@ -1,7 +1,7 @@
 //! What a path through a map meets: impact counts, and outcomes as a strip.
 
-use topple::results::palette::{Kind, Parity};
 use topple::scene::Values;
+use topple_pictures::colours::palette::{Kind, Parity};
 use topple_pictures::drawing::canvas::write;
 use topple_pictures::drawing::canvas::{Canvas, Place};
 use topple_pictures::drawing::caption::bounded;

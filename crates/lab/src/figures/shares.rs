@@ -5,9 +5,9 @@ use std::io::Write;
 use serde::Serialize;
 
 use topple::results::csv::Number;
-use topple::results::palette::Parity;
 use topple::scene::{Parameter, Scene};
 use topple::stepping::outcome::{Class, Outcome};
+use topple_pictures::colours::palette::Parity;
 
 /// Shares of the cells of a map; together they are 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]

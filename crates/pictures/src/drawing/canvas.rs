@@ -4,8 +4,8 @@ use super::picture::{Mark, Paint, Picture, Step};
 pub use super::shapes::{Place, Point, Stroke, dashed, stroke};
 use super::text::Style;
 use super::{LEADING, MARGIN, MILLIMETRE};
-use topple::results::colour::Colour;
-use topple::results::print_palette::Palette;
+use crate::colours::Colour;
+use crate::colours::print_palette::Palette;
 
 /// A picture of a width, drawn from the top downwards; its height is known when it is finished.
 #[derive(Debug, Clone)]

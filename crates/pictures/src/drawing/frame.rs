@@ -4,7 +4,7 @@ use super::canvas::{Canvas, Place, Point, stroke};
 use super::text::{self, MIDDLE, style, width};
 use super::ticks::{self, Scale, Tick};
 use super::{FONT, LEADING};
-use topple::results::colour::BLACK;
+use crate::colours::BLACK;
 use topple::scene::{Values, grid};
 
 /// Room left of a plot for the name and numbers of its axis, points.

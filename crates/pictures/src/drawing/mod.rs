@@ -21,7 +21,7 @@ pub mod print;
 pub mod raster;
 mod read;
 pub(crate) mod scale;
-pub(crate) mod shapes;
+pub mod shapes;
 pub mod share;
 pub(crate) mod svg;
 pub mod swatch;

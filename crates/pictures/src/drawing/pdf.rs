@@ -10,7 +10,7 @@ use super::picture::{Mark, Paint, Picture, Step};
 use super::raster::{self, Packed};
 use super::shapes::{Place, Point, Stroke};
 use super::text::Style;
-use topple::results::colour::{Colour, WHITE};
+use crate::colours::{Colour, WHITE};
 
 /// A picture on a page: where its upper left corner lies from that of the page, points, and a factor on its size.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,7 +6,7 @@ use super::error::FigureError;
 use super::shapes::{Place, Point, Stroke};
 use super::text::Style;
 use super::{MILLIMETRE, raster};
-use topple::results::colour::Colour;
+use crate::colours::Colour;
 
 /// A picture on white paper.
 #[derive(Debug, Clone, PartialEq)]

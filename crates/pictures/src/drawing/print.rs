@@ -2,7 +2,7 @@
 
 use super::canvas::Canvas;
 use super::{COLUMN, FONT, MILLIMETRE};
-use topple::results::print_palette::Palette;
+use crate::colours::print_palette::Palette;
 
 /// Widths that a picture may have, mm. An image of the widest takes a quarter of a gigabyte.
 const WIDTHS: [f64; 2] = [40.0, 600.0];

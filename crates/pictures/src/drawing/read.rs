@@ -1,8 +1,8 @@
 //! A picture from the SVG that was written of it, for those who have the file alone.
 
+use crate::colours::Colour;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use topple::results::colour::Colour;
 
 use super::picture::{Mark, Paint, Picture, Step};
 use super::shapes::{Place, Point, Stroke};

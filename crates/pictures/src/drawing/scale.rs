@@ -4,7 +4,7 @@ use super::canvas::{Canvas, Place, Point};
 use super::error::FigureError;
 use super::frame::{Axis, BELOW, Frame, Written};
 use super::raster::png;
-use topple::results::colour::Colour;
+use crate::colours::Colour;
 
 /// Height of a scale.
 const HEIGHT: f64 = 6.0;

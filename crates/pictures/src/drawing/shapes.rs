@@ -1,6 +1,6 @@
 //! Places, and how lines are drawn.
 
-use topple::results::colour::Colour;
+use crate::colours::Colour;
 
 /// A place in a picture, points from its upper left corner.
 pub type Point = (f64, f64);
@@ -49,4 +49,19 @@ pub const fn stroke(colour: Colour, width: f64) -> Stroke {
 /// A dashed line.
 pub const fn dashed(colour: Colour, width: f64, dash: (f64, f64)) -> Stroke {
     Stroke { colour, width, dash: Some(dash) }
+}
+
+/// The points of a spring from one to another, which bends so often to either side by so much.
+pub fn spring(from: Point, to: Point, bends: u32, by: f64) -> impl Iterator<Item = Point> {
+    let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+    let length = dx.hypot(dy).max(f64::MIN_POSITIVE);
+    (0..=bends).map(move |k| {
+        let share = f64::from(k) / f64::from(bends);
+        let side = match k {
+            k if k == 0 || k == bends => 0.0,
+            k if k % 2 == 0 => by,
+            _ => -by,
+        };
+        (from.0 + dx * share - side * dy / length, from.1 + dy * share + side * dx / length)
+    })
 }

@@ -7,7 +7,7 @@ use super::raster::data_url;
 use super::shapes::{Place, Stroke};
 use super::text::{self, Anchor};
 use super::{font, glyphs, letters};
-use topple::results::colour::Colour;
+use crate::colours::Colour;
 
 /// A colour as SVG writes it.
 pub(crate) fn hex([r, g, b]: Colour) -> String {

@@ -1,9 +1,9 @@
 //! What stands beside a word in a legend: a colour, a hatch, a line, a mark.
 
 use super::canvas::{Canvas, Place, Point, Stroke, stroke};
-use topple::results::colour::{BLACK, Colour, WHITE};
-use topple::results::palette::dots;
-use topple::results::print_palette::Texture;
+use crate::colours::palette::dots;
+use crate::colours::print_palette::Texture;
+use crate::colours::{BLACK, Colour, WHITE};
 
 /// Size of a swatch, points.
 pub const SIZE: (f64, f64) = (13.0, 7.0);

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use super::{FONT, SMALLEST, font};
-use topple::results::colour::{BLACK, Colour};
+use crate::colours::{BLACK, Colour};
 use topple::scene::parameters::PARAMETERS;
 use topple::scene::shown::is_hidden;
 

@@ -4,13 +4,13 @@
 use std::collections::HashMap;
 use std::io::{self, Write};
 
+use crate::colours::palette::{Kind, dots};
+use crate::colours::print_palette::{Palette, Texture};
 use crate::drawing::error::FigureError;
 use crate::drawing::svg::hex;
 use topple::refine::refined::RefinedMap;
 use topple::results::columns::Column;
 use topple::results::outcomes::Outcomes;
-use topple::results::palette::{Kind, dots};
-use topple::results::print_palette::{Palette, Texture};
 
 /// The columns that a cell's colour depends on.
 const COLOUR: [Column; 3] = [Column::Outcome, Column::Impacts, Column::Uplifts];

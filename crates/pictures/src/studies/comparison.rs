@@ -2,6 +2,8 @@
 //! be.
 
 use super::of_standing;
+use crate::colours::palette::{CURVES, FALLEN, Kind, LIMITS};
+use crate::colours::{BLACK, Colour};
 use crate::drawing::canvas::{Canvas, Place, Stroke, dashed, stroke};
 use crate::drawing::frame::{Axis, BELOW, Frame, Written};
 use crate::drawing::legend::{self, Entry, entry};
@@ -11,8 +13,6 @@ use crate::drawing::share::given;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::text::{MIDDLE, shortened, style, width};
 use crate::drawing::{FONT, MARGIN, MILLIMETRE, caption};
-use topple::results::colour::{BLACK, Colour};
-use topple::results::palette::{CURVES, FALLEN, Kind, LIMITS};
 use topple::scene::{Parameter, Scene, Values};
 use topple_studies::comparison::{Compared, Comparison};
 use topple_studies::suites::envelope::{CellEnvelope, SHARES};

@@ -2,6 +2,9 @@
 //! feasible.
 
 use super::of_standing;
+use crate::colours::BLACK;
+use crate::colours::palette::{FEASIBLE, LIMITS};
+use crate::colours::print_palette::Palette;
 use crate::drawing::canvas::{Place, Point, Stroke, dashed, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH};
@@ -14,9 +17,6 @@ use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::{COLUMN, MARGIN, caption, scale};
 use crate::map::boundaries::{Line, contours};
 use crate::map::figure::layout::{frame, side};
-use topple::results::colour::BLACK;
-use topple::results::palette::{FEASIBLE, LIMITS};
-use topple::results::print_palette::Palette;
 use topple::scene::words;
 use topple_studies::suites::envelope::{Best, Envelope};
 

@@ -2,6 +2,8 @@
 //! limits.
 
 use super::of_standing;
+use crate::colours::BLACK;
+use crate::colours::palette::{CURVES, FEASIBLE};
 use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke};
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
 use crate::drawing::legend::{self, entry};
@@ -10,8 +12,6 @@ use crate::drawing::print::Print;
 use crate::drawing::share::given;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::{COLUMN, MARGIN, caption};
-use topple::results::colour::BLACK;
-use topple::results::palette::{CURVES, FEASIBLE};
 use topple::scene::grid;
 use topple::scene::words;
 use topple_studies::suites::envelope::{CellEnvelope, Envelope, SHARES};

@@ -1,5 +1,7 @@
 //! The pictures of a study: curves of one cell, medians along one axis, maps of theta and beta over two.
 
+use crate::colours::palette::STATES;
+use crate::colours::{BLACK, Colour};
 use crate::drawing::canvas::{Canvas, Place, Point, dashed, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
@@ -9,8 +11,6 @@ use crate::drawing::print::Print;
 use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::{COLUMN, FONT, MARGIN, caption};
 use topple::Written as _;
-use topple::results::colour::{BLACK, Colour};
-use topple::results::palette::STATES;
 use topple::scene::grid;
 use topple::scene::words;
 use topple_studies::fragility::estimate::Estimate;

@@ -1,12 +1,12 @@
 //! The picture of a hazard curve: how often a year a level is exceeded.
 
+use crate::colours::BLACK;
+use crate::colours::palette::CURVES;
 use crate::drawing::canvas::{Canvas, Place, Point, dashed, stroke};
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT};
 use crate::drawing::picture::Picture;
 use crate::drawing::swatch::Mark;
 use crate::drawing::{COLUMN, MARGIN};
-use topple::results::colour::BLACK;
-use topple::results::palette::CURVES;
 
 const HEIGHT: f64 = 110.0;
 

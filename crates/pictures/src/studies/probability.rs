@@ -1,5 +1,8 @@
 //! The picture of probabilities: of overturning over two axes in colours, along one axis as a curve.
 
+use crate::colours::palette::CURVES;
+use crate::colours::ramp;
+use crate::colours::{Colour, WHITE};
 use crate::drawing::canvas::{Canvas, Place, Point, stroke};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame};
@@ -10,9 +13,6 @@ use crate::drawing::raster::png;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::{COLUMN, MARGIN, caption, scale};
 use crate::map::figure::layout::{GAP, frame, side};
-use topple::results::colour::{Colour, WHITE};
-use topple::results::palette::CURVES;
-use topple::results::ramp;
 use topple::scene::Scene;
 use topple::scene::words;
 use topple_studies::uncertain::Varied;

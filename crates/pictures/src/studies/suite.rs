@@ -1,5 +1,6 @@
 //! The picture of a suite: response spectra of its motions, their median and the band of 16 % to 84 %.
 
+use crate::colours::palette::{CURVES, MANY};
 use crate::drawing::canvas::{Canvas, Place, Point, stroke};
 use crate::drawing::caption::bounded;
 use crate::drawing::frame::{Axis, BELOW, BOTH, Frame, LEFT, Written};
@@ -9,7 +10,6 @@ use crate::drawing::print::Print;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::text::{style, wrapped};
 use crate::drawing::{COLUMN, FONT, LEADING, MARGIN, TITLE};
-use topple::results::palette::{CURVES, MANY};
 use topple::scene::record::Pair;
 use topple_studies::statistics::quantile::Sorted;
 use topple_studies::suites::read::Suite;

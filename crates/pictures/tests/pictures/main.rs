@@ -2,6 +2,12 @@
 
 #![allow(missing_docs, clippy::unwrap_used, clippy::panic)] // tests
 
+mod colours {
+    mod palette;
+    mod print_palette;
+    mod ramp;
+    mod vision;
+}
 mod drawing {
     mod letters;
     mod pdf;

@@ -15,4 +15,3 @@ pub use compared::{Compared, Comparison, Rated, Reserve, STATES};
 pub use devices::Device;
 pub use request::{ComparisonRequest, RateRequest};
 pub use settings::ComparisonSettings;
-pub use table::{COLUMNS, RATES, RESERVE};

@@ -4,7 +4,7 @@ use super::compared::Comparison;
 use super::devices::Device;
 use super::settings::ComparisonSettings;
 use super::shaken::Shaken;
-use super::table::write;
+use super::table::compared;
 use crate::fragility::HazardCurve;
 use crate::fragility::levels;
 use crate::statistics::Bootstrap;
@@ -166,7 +166,7 @@ impl StudyRequest for ComparisonRequest {
     }
 
     fn tables(&self) -> Vec<StudyTable<Comparison>> {
-        vec![("compare.csv", write)]
+        vec![("compare.csv", compared)]
     }
 }
 

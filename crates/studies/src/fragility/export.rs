@@ -9,7 +9,7 @@ use super::hazard_openquake::unit_of_openquake;
 use super::limit_state::LimitState;
 use super::order::implies;
 use super::study::FragilityStudy;
-use crate::study::StudyTable;
+use crate::study::StudyExport;
 use crate::suites::columns;
 use crate::suites::intensity::Intensity;
 use topple::Written;
@@ -62,8 +62,8 @@ impl Export {
         Err(SceneError::new("export", problem))
     }
 
-    /// The table of the curves of a study by its first estimator.
-    pub fn table(&self) -> StudyTable<FragilityStudy> {
+    /// The file of the curves of a study by its first estimator.
+    pub fn writer(&self) -> StudyExport<FragilityStudy> {
         match self {
             Export::Nrml => (self.file(), write_nrml),
             Export::Pelicun => (self.file(), write_pelicun),

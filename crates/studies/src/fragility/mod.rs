@@ -38,7 +38,6 @@ pub mod sensitivity;
 pub mod stripes;
 pub mod study;
 pub(crate) mod suite_runs;
-pub mod table_columns;
 mod tables;
 
 pub use capacity::{Capacity, share_that_stands_again};

@@ -11,7 +11,7 @@ use super::tables;
 use crate::statistics::Bootstrap;
 use crate::statistics::bca::FEWEST;
 use crate::statistics::bootstrap::MANY;
-use crate::study::{StudyError, StudyJob, StudyRequest, StudyTable};
+use crate::study::{StudyError, StudyExport, StudyJob, StudyRequest, StudyTable};
 use crate::suites::intensity::Intensity;
 use crate::suites::request::{SuiteRequest, above_zero};
 use crate::suites::swept::{MOST_CELLS, MOST_SWEEPS};
@@ -229,19 +229,22 @@ impl StudyRequest for FragilityRequest {
 
     fn tables(&self) -> Vec<StudyTable<FragilityStudy>> {
         let mut all: Vec<StudyTable<FragilityStudy>> =
-            vec![("fragility.csv", tables::write_counts), ("fits.csv", tables::write_fits)];
+            vec![("fragility.csv", tables::counts), ("fits.csv", tables::fits)];
         if self.vary.is_empty() {
-            all.push(("capacities.csv", tables::write_capacities));
-            all.push((RUNS, tables::write_runs));
+            all.push(("capacities.csv", tables::capacities));
+            all.push((RUNS, tables::runs));
         } else {
-            all.push(("sensitivity.csv", tables::write_sensitivity));
-            all.push(("points.csv", tables::write_points));
+            all.push(("sensitivity.csv", tables::sensitivity));
+            all.push(("points.csv", tables::points));
         }
         if self.hazard.is_some() {
-            all.push(("rates.csv", tables::write_rates));
+            all.push(("rates.csv", tables::rates));
         }
-        all.extend(Export::ALL.iter().filter(|one| self.exports.contains(one)).map(Export::table));
         all
+    }
+
+    fn exports(&self) -> Vec<StudyExport<FragilityStudy>> {
+        Export::ALL.iter().filter(|one| self.exports.contains(one)).map(Export::writer).collect()
     }
 
     fn has(&self, study: &FragilityStudy, file: &str) -> bool {

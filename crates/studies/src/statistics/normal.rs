@@ -43,11 +43,6 @@ pub fn ln_cdf(x: f64) -> f64 {
     below_and_above(x)[0].ln
 }
 
-/// phi(x)/Phi(x), the inverse Mills ratio: the slope of ln Phi(x).
-pub fn inverse_mills(x: f64) -> f64 {
-    below_and_above(x)[0].ratio
-}
-
 /// The logarithm of a share, and the density over it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Share {

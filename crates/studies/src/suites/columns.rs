@@ -5,6 +5,8 @@ use topple::results::columns::{Column, ColumnKind};
 use topple::results::csv::Number;
 use topple::scene::{Grid, SceneError};
 
+use crate::table::{TableColumn, number};
+
 /// The names of the axes.
 pub fn keys(grid: &Grid) -> impl Iterator<Item = &'static str> {
     grid.told().into_iter().map(|place| grid.axes()[place].key())
@@ -16,72 +18,52 @@ pub fn values(grid: &Grid, cell: usize) -> Vec<Number> {
     grid.told().into_iter().map(|place| Number(values[place])).collect()
 }
 
-/// A column of a table.
-#[derive(Debug, Clone, Copy)]
-pub struct TableColumn {
-    /// Its name.
-    pub name: &'static str,
-    /// Its unit.
-    pub unit: ColumnUnit,
-    /// What it means.
-    pub meaning: &'static str,
-}
-
-/// The unit of a column.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ColumnUnit {
-    /// Names have none.
-    Name,
-    /// A number of this unit, 1 where it is a share or a count.
-    Of(&'static str),
-    /// That of the intensity measure of the study.
-    OfMeasure,
-}
-
-/// A column of names.
-pub const fn name(name: &'static str, meaning: &'static str) -> TableColumn {
-    TableColumn { name, unit: ColumnUnit::Name, meaning }
-}
-
-/// A column of numbers of a unit.
-pub const fn number(name: &'static str, unit: &'static str, meaning: &'static str) -> TableColumn {
-    TableColumn { name, unit: ColumnUnit::Of(unit), meaning }
-}
-
-/// A column of values of the intensity measure.
-pub const fn measure(name: &'static str, meaning: &'static str) -> TableColumn {
-    TableColumn { name, unit: ColumnUnit::OfMeasure, meaning }
-}
-
-/// The names of a table's columns.
-pub fn names(columns: &[TableColumn]) -> impl Iterator<Item = &'static str> {
-    columns.iter().map(|column| column.name)
-}
-
-/// A number of a table; empty where it is not known.
-pub(crate) fn known(value: f64) -> Option<Number> {
-    (!value.is_nan()).then_some(Number(value))
-}
-
 /// Percentiles of a column of a map, as parts of a table's names.
 const SHARES: [&str; 3] = ["50", "84", "100"];
 
-/// The names of the columns of percentiles of a column, with its unit and what each means.
-pub fn further(column: Column) -> [(String, &'static str, String); 3] {
-    let entry = column.entry();
-    let unit = if entry.unit.is_empty() { "1" } else { entry.unit };
-    SHARES.map(|share| {
-        let meaning = format!(
-            "what {share} % of the motions under which it stands do not exceed of: {}",
-            entry.meaning
-        );
-        (format!("{}_{share}", entry.name), unit, meaning)
+/// The columns of percentiles, with what each of them means.
+fn percentiles<R>(
+    name: &str,
+    unit: &'static str,
+    meanings: [String; 3],
+    value: impl Fn(&R) -> [f64; 3] + Copy + 'static,
+) -> [TableColumn<R>; 3] {
+    let mut place = 0..3;
+    meanings.map(|meaning| {
+        let k = place.next().unwrap_or(0);
+        number(format!("{name}_{}", SHARES[k]), unit, meaning, move |row| value(row)[k])
     })
 }
 
-/// The names of those of several columns.
-pub(crate) fn further_names(columns: &[Column]) -> impl Iterator<Item = String> {
-    columns.iter().flat_map(|column| further(*column)).map(|(name, ..)| name)
+/// Those of a response over the motions under which the block stands; `the` is what stands before its name.
+pub(crate) fn of_standing<R>(
+    (name, unit): (&str, &'static str),
+    (the, response): (&str, &str),
+    value: impl Fn(&R) -> [f64; 3] + Copy + 'static,
+) -> [TableColumn<R>; 3] {
+    let parts =
+        [format!("median of {the}"), format!("84th percentile of {the}"), "largest ".into()];
+    let meanings =
+        parts.map(|part| format!("{part}{response} over the motions under which it stands"));
+    percentiles(name, unit, meanings, value)
+}
+
+/// Those of columns of a map; `value` gives the percentiles of one of these, by its place, in a row.
+pub(crate) fn further<R>(
+    columns: &[Column],
+    value: impl Fn(&R, usize) -> [f64; 3] + Copy + 'static,
+) -> impl Iterator<Item = TableColumn<R>> {
+    columns.iter().enumerate().flat_map(move |(k, column)| {
+        let entry = column.entry();
+        let unit = if entry.unit.is_empty() { "1" } else { entry.unit };
+        let meanings = SHARES.map(|share| {
+            format!(
+                "what {share} % of the motions under which it stands do not exceed of: {}",
+                entry.meaning
+            )
+        });
+        percentiles(entry.name, unit, meanings, move |row| value(row, k))
+    })
 }
 
 /// The columns that a table has beside the strokes, which every one has: of all columns those that have percentiles.

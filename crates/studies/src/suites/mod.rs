@@ -14,7 +14,6 @@ mod falling;
 mod files;
 mod found;
 mod gather;
-pub(crate) mod grid_table;
 mod grouped;
 pub mod intensity;
 mod list;

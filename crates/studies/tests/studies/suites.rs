@@ -257,7 +257,7 @@ fn a_zip_is_read_as_the_folder_is() {
         (Suite::read(&path, false).unwrap(), Suite::read(folder.path(), false).unwrap());
     let table = |suite: &Suite| {
         let mut table = Vec::new();
-        topple_studies::suites::table::write(suite, &mut table).unwrap();
+        topple_studies::suites::table::suite(suite).write(&mut table).unwrap();
         String::from_utf8(table).unwrap()
     };
     assert_eq!(table(&packed), table(&plain));

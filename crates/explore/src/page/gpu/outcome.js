@@ -1,5 +1,5 @@
 // What became of cells, from their last states. Twin: src/cells/reader.rs, src/stepping/outcome.rs and
-// src/results/palette.rs.
+// crates/pictures/src/colours/palette.rs.
 
 import { timeOf } from './clock.js';
 import { known } from './known.js';

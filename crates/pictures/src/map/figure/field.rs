@@ -9,6 +9,8 @@ use super::labels::{Labels, length};
 use super::layout::{GAP, frame, side, titled};
 use super::overlay::Overlay;
 use super::{keys, overturning};
+use crate::colours::palette::FALLEN;
+use crate::colours::{BLACK, Colour, WHITE};
 use crate::drawing::canvas::write;
 use crate::drawing::canvas::{Canvas, Place, Point, Stroke, dashed, stroke};
 use crate::drawing::error::FigureError;
@@ -20,8 +22,6 @@ use crate::drawing::swatch::Swatch;
 use crate::drawing::text::{style, wrapped};
 use crate::drawing::ticks::rounded;
 use crate::drawing::{COLUMN, FONT, LEADING, MARGIN, caption, legend, swatch};
-use topple::results::colour::{BLACK, Colour, WHITE};
-use topple::results::palette::FALLEN;
 use topple::stepping::outcome::{Class, Outcome};
 
 /// The line around overturning, and the dashed one around full contact.

@@ -2,11 +2,11 @@
 
 use super::super::Map;
 use super::fields::Field;
+use crate::colours::ramp;
 use crate::drawing::canvas::{Canvas, Point};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::Axis;
 use crate::drawing::scale;
-use topple::results::ramp;
 
 /// Steps of a scale at most.
 const MOST_STEPS: f64 = 10.0;

@@ -1,6 +1,8 @@
 //! One cell's motion against time, below what shakes it.
 
 use super::layout::{GAP, side};
+use crate::colours::BLACK;
+use crate::colours::palette::CURVES;
 use crate::drawing::canvas::write;
 use crate::drawing::canvas::{Place, Point, dashed, stroke};
 use crate::drawing::error::FigureError;
@@ -12,8 +14,6 @@ use crate::drawing::swatch::{Mark, Swatch};
 use crate::drawing::text::{style, wrapped};
 use crate::drawing::{COLUMN, FONT, MARGIN, caption, legend};
 use topple::backend::history::Row;
-use topple::results::colour::BLACK;
-use topple::results::palette::CURVES;
 use topple::scene::{Case, Scene};
 use topple::stepping::outcome::Outcome;
 use topple::sweep::motion_of_cell::{self, What};

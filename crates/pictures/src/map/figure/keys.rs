@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use super::super::Map;
 use super::overlay::Overlay;
+use crate::colours::palette::{DOTTED, Kind, MARKED, Parity};
 use crate::drawing::legend::{Entry, entry};
 use crate::drawing::share::shares;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::ticks::rounded;
-use topple::results::palette::{DOTTED, Kind, MARKED, Parity};
 use topple::scene::Parameter;
 use topple::stepping::outcome::{Outcome, Status};
 

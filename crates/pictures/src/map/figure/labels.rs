@@ -3,12 +3,12 @@
 use super::super::Map;
 use super::super::boundaries::Line;
 use super::fields::Field;
+use crate::colours::WHITE;
 use crate::drawing::FONT;
 use crate::drawing::canvas::{Canvas, Place, Point};
 use crate::drawing::frame::Frame;
 use crate::drawing::swatch::RING;
 use crate::drawing::text::{MIDDLE, style, width};
-use topple::results::colour::WHITE;
 
 /// Values written on their lines: none beside another in a heap, none over a boundary of overturning. A line without room for its
 /// value has none; the legend tells the step from one line to the next.

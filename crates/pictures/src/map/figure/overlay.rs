@@ -2,13 +2,13 @@
 //! nothing can be said, dots where a block overturns about the right corner.
 
 use super::super::Map;
+use crate::colours::Colour;
+use crate::colours::palette::{Kind, dots, is_dotted};
+use crate::colours::print_palette::{Palette, Texture};
 use crate::drawing::canvas::Place;
 use crate::drawing::error::FigureError;
 use crate::drawing::raster::{Rgba, png};
 use crate::drawing::swatch::{DOT, DOTS, PITCH, TEXTURE, WIDTH};
-use topple::results::colour::Colour;
-use topple::results::palette::{Kind, dots, is_dotted};
-use topple::results::print_palette::{Palette, Texture};
 use topple::stepping::outcome::Class;
 
 /// Pixels of a point of the picture.

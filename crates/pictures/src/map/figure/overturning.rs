@@ -5,6 +5,8 @@ use super::islands::islands;
 use super::layout::{begin, frame, titled};
 use super::overlay::Overlay;
 use super::{keys, layout};
+use crate::colours::Colour;
+use crate::colours::palette::Kind;
 use crate::drawing::canvas::{Canvas, Place};
 use crate::drawing::error::FigureError;
 use crate::drawing::frame::{BELOW, BOTH};
@@ -12,8 +14,6 @@ use crate::drawing::picture::Picture;
 use crate::drawing::print::Print;
 use crate::drawing::raster::png;
 use crate::drawing::{MARGIN, legend, swatch};
-use topple::results::colour::Colour;
-use topple::results::palette::Kind;
 use topple::stepping::outcome::Outcome;
 
 /// Draws the map; `at` tells what it is a slice at.

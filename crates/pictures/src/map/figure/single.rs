@@ -5,6 +5,7 @@ use super::fields::{CONTACT, FIELDS, Field};
 use super::keys;
 use super::layout::{GAP, titled};
 use super::overlay::Overlay;
+use crate::colours::BLACK;
 use crate::drawing::canvas::stroke;
 use crate::drawing::legend::{Entry, entry};
 use crate::drawing::picture::Picture;
@@ -12,7 +13,6 @@ use crate::drawing::print::Print;
 use crate::drawing::swatch::Swatch;
 use crate::drawing::ticks::rounded;
 use crate::drawing::{COLUMN, MARGIN, caption, legend};
-use topple::results::colour::BLACK;
 use topple::scene::builder::TITLES;
 
 /// Draws the cell; `at` tells what it is a slice at.

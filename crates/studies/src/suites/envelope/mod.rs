@@ -7,7 +7,6 @@ mod table;
 
 pub use best::Best;
 pub use request::EnvelopeRequest;
-pub use table::{COLUMNS, ZETA_COLUMNS};
 
 use super::Falling;
 use super::resample::Groups;

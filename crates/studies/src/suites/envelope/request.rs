@@ -111,6 +111,6 @@ impl StudyRequest for EnvelopeRequest {
     }
 
     fn tables(&self) -> Vec<StudyTable<Envelope>> {
-        vec![("envelope.csv", table::write), ("zeta.csv", table::write_zeta)]
+        vec![("envelope.csv", table::envelope), ("zeta.csv", table::zeta)]
     }
 }

@@ -5,7 +5,7 @@
 //! severity of 1. Distance: CIEDE2000, as Sharma, Wu & Dalal, The CIEDE2000 color-difference formula (Color
 //! Res. Appl. 30, 2005) write it and test it.
 
-use super::colour::Colour;
+use topple_pictures::colours::Colour;
 
 /// Linear red, green and blue of an eye, by those of a screen.
 type Vision = [[f64; 3]; 3];

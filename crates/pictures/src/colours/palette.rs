@@ -1,8 +1,8 @@
 //! Colours of outcomes, after the paper's Figs. 11-14: green stands, red overturns without an impact, blue
 //! after one. Any two differ enough to be told apart at a glance, with red-green colour vision too.
 
-use super::colour::{BLACK, Colour, WHITE};
-use crate::stepping::outcome::{COUNTED, Class, Outcome};
+use super::{BLACK, Colour, WHITE};
+use topple::stepping::outcome::{COUNTED, Class, Outcome};
 
 /// A class of cells on an overturning map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -188,36 +188,6 @@ impl Parity {
             Parity::Even => "even number of impacts",
             Parity::Rested => "at rest between impacts",
             Parity::Unresolved => "unresolved",
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{FALLEN, Kind, Parity};
-    use crate::results::vision::least;
-
-    /// A difference that is just noticed is 1 to 2.3 (Mahy, Van Eycken & Oosterlinck, Color Res. Appl. 19, 1994):
-    /// five times as much is seen where fields of both colours lie apart, as on a map and in its legend.
-    const APART: f64 = 11.5;
-
-    #[test]
-    fn any_two_classes_are_told_apart_by_red_green_colour_vision_too() {
-        let kinds: Vec<_> = Kind::all().iter().map(|kind| (kind.label(), kind.colour())).collect();
-        let parities = Parity::ALL.map(|parity| (parity.label().to_string(), parity.colour()));
-        for colours in [&kinds[..], &parities] {
-            let (apart, what) = least(colours);
-            assert!(apart > APART, "{what}");
-        }
-    }
-
-    /// On a map of a quantity greys stand for values.
-    #[test]
-    fn what_overturned_is_no_grey() {
-        for grey in 0..=255_u8 {
-            let colours = [("overturned".into(), FALLEN), ("grey".into(), [grey; 3])];
-            let (apart, what) = least(&colours);
-            assert!(apart > APART, "{grey}: {what}");
         }
     }
 }

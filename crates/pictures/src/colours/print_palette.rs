@@ -2,11 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::colour::Colour;
+use super::Colour;
 use super::palette::{CURVES, FALLEN, FEASIBLE, Kind, LIMITS, MANY, STATES};
-use crate::written;
 
-written! {
+topple::written! {
     /// The colours of pictures.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
     pub enum Palette {
@@ -101,44 +100,6 @@ impl Palette {
         match self {
             Palette::Colour => Plain,
             Palette::Grey => kind().map_or(Plain, |kind| of_kind(kind).1),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Palette;
-    use crate::results::palette::{CURVES, Kind, STATES};
-    use crate::results::vision::least;
-
-    /// See the palette in colours, and the just noticed difference there.
-    const APART: f64 = 11.5;
-
-    #[test]
-    fn classes_of_the_same_lines_have_greys_that_are_told_apart() {
-        let grey = |kind: &Kind| (kind.label(), Palette::Grey.of(kind.colour()));
-        let told = Kind::all().into_iter().filter(|kind| *kind != Kind::Unresolved);
-        let told: Vec<Kind> = told.collect();
-        let mut seen = 0;
-        for texture in [super::Plain, super::Across, super::Upright] {
-            let own = |kind: &&Kind| Palette::Grey.texture(kind.colour()) == texture;
-            let alike: Vec<_> = told.iter().filter(own).map(grey).collect();
-            seen += alike.len();
-            let (apart, what) = least(&alike);
-            assert!(apart > APART, "{what}");
-        }
-        assert_eq!(seen, told.len());
-    }
-
-    #[test]
-    fn curves_of_a_plot_have_greys_that_are_told_apart() {
-        let grey = |colour| ("a curve".to_string(), Palette::Grey.of(colour));
-        for curves in [
-            STATES.map(|(curve, _)| grey(curve)).to_vec(),
-            CURVES[..2].iter().map(|curve| grey(*curve)).collect(),
-        ] {
-            let (apart, what) = least(&curves);
-            assert!(apart > APART, "{what}");
         }
     }
 }

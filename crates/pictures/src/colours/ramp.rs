@@ -1,6 +1,6 @@
 //! Colours of a number between two ends.
 
-use super::colour::Colour;
+use super::Colour;
 
 /// Colours of a probability, or of a share of motions, of 0, 1/2 and 1: the lightness falls evenly between them.
 pub const PROBABILITY: [Colour; 3] = [[0xf4, 0xf1, 0xea], [0xd9, 0x7b, 0x4f], [0x4a, 0x00, 0x1f]];
@@ -22,22 +22,4 @@ pub fn probability(probability: f64) -> Colour {
 pub fn grey(share: f64) -> u8 {
     let [light, dark] = GREYS;
     (255.0 * (light + (dark - light) * share.clamp(0.0, 1.0))) as u8
-}
-
-#[cfg(test)]
-mod tests {
-    use super::probability;
-
-    /// Luma falls from a probability to a larger one, so that a print in grey has the same order.
-    #[test]
-    fn a_larger_probability_is_darker() {
-        let luma = |share: f64| {
-            let [r, g, b] = probability(share).map(f64::from);
-            0.299 * r + 0.587 * g + 0.114 * b
-        };
-        for step in 0..64 {
-            let (less, more) = (f64::from(step) / 64.0, f64::from(step + 1) / 64.0);
-            assert!(luma(less) > luma(more) + 0.5, "{less}: {} {}", luma(less), luma(more));
-        }
-    }
 }
