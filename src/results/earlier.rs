@@ -47,6 +47,16 @@ impl Kind {
             Kind::Probability => "a probability map",
         }
     }
+
+    /// The name of the command, of a study of a suite.
+    pub fn study(self) -> Option<&'static str> {
+        match self {
+            Kind::Envelope => Some("envelope"),
+            Kind::Fragility => Some("fragility"),
+            Kind::Comparison => Some("compare"),
+            Kind::Map | Kind::History | Kind::Suite | Kind::Probability => None,
+        }
+    }
 }
 
 /// What an earlier command left in a directory, as its run.json says.

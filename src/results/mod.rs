@@ -23,6 +23,7 @@ pub mod listed;
 pub mod lock;
 mod npy;
 pub mod npz;
+pub mod observed;
 pub mod outcomes;
 pub mod own;
 pub mod reader;

@@ -18,6 +18,7 @@ use crate::model::precision::Precision;
 use crate::results::about::Source;
 use crate::results::block::{Block, ColumnValues};
 use crate::results::columns::Column;
+use crate::results::observed::ObservedOutcomes;
 use crate::results::outcomes::{Outcomes, each_block};
 use crate::results::rounds::Rounds;
 use crate::results::store::Store;
@@ -25,7 +26,6 @@ use crate::results::store_error::StoreError;
 use crate::results::tally::{self, Tally};
 use crate::scene::Grid;
 use crate::stepping::outcome::Outcome;
-use crate::work::observed::ObservedOutcomes;
 use crate::work::observer::{Observer, Phase};
 
 /// A map whose cells have run.

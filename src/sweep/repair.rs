@@ -20,11 +20,11 @@ use super::runner::Runner;
 use super::sample::beside_boundary;
 use crate::backend::ready::Backend;
 use crate::results::columns::Column;
+use crate::results::observed::ObservedOutcomes;
 use crate::results::outcomes::Outcomes;
 use crate::results::replaced::ReplacedOutcomes;
 use crate::scene::Grid;
 use crate::stepping::outcome::{Class, Outcome, Status};
-use crate::work::observed::ObservedOutcomes;
 use crate::work::observer::{Observer, Phase};
 
 /// Bytes of a cell of a list that runs: its number, its outcome in the columns of the run, and its outcome.

@@ -1,6 +1,5 @@
 //! How work is done: threads, vectors, and what is watched and ended.
 
-pub mod observed;
 pub mod observer;
 pub mod parallel;
 pub mod threads;

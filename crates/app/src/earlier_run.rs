@@ -113,14 +113,11 @@ fn unread(error: serde_json::Error) -> String {
 /// The run of a run.json.
 fn of_run(text: &str, folder: &Path) -> Result<EarlierRun, String> {
     let manifest = Manifest::parse(text).map_err(unread)?;
-    let without_command =
-        |name| Err(format!("its {RUN} has no command; run it again by topple {name}"));
-    match &manifest.run {
-        Run::Suite(_) => return Err("a suite is no scene; read it again by topple suite".into()),
-        Run::Envelope(_) => return without_command("envelope"),
-        Run::Fragility(_) => return without_command("fragility"),
-        Run::Comparison(_) => return without_command("compare"),
-        _ => {}
+    if let Run::Suite(_) = &manifest.run {
+        return Err("a suite is no scene; read it again by topple suite".into());
+    }
+    if let Some(name) = manifest.run.kind().study() {
+        return Err(format!("its {RUN} has no command; run it again by topple {name}"));
     }
     let Some(scene) = manifest.run.scene() else {
         return Err("it has no scene; give one".into());

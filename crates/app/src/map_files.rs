@@ -5,10 +5,10 @@ use std::path::PathBuf;
 
 use topple::results::column_set::ColumnSet;
 use topple::results::files::Directory;
+use topple::results::observed::ObservedOutcomes;
 use topple::results::{csv, npz};
 use topple::scene::{Grid, Scene};
 use topple::sweep::map::MapSweep;
-use topple::work::observed::ObservedOutcomes;
 use topple::work::observer::{Observer, Phase};
 use topple::work::parallel;
 use topple_pictures::drawing::error::FigureError;

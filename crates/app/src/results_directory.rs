@@ -59,7 +59,7 @@ impl Place {
     /// It holds something of another kind, or another run is at work there: its files are not to lie beside the new ones.
     pub fn of(out: &Path, kind: Kind) -> Result<Place, InputError> {
         let earlier = Earlier::of(out).map_err(refused)?;
-        let of_suite = matches!(kind, Kind::Envelope | Kind::Fragility | Kind::Comparison);
+        let of_suite = kind.study().is_some();
         let at_work = [
             ("a map runs", kind != Kind::Map && Store::is_begun(out)),
             ("a sweep under a suite runs", !of_suite && saved::is_taken(out)),

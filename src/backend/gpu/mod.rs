@@ -1,6 +1,6 @@
 //! The sweep on a GPU, by wgpu: Vulkan, Metal or DX12.
 //!
-//! A **tile** is the set of cells that are made, run and read together; a device works on two tiles at once. A
+//! A **tile** is the set of cells that are made, run and read together; a device works on several tiles at once. A
 //! **dispatch** is a call of the kernel that runs them: each cell gets a number of turns. A **submission** is the set
 //! of dispatches that are given to the device together.
 

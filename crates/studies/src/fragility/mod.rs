@@ -1,7 +1,7 @@
 //! Fragility: the probability that a block fails as a function of the intensity, from runs of many records.
 //!
 //! ```text
-//! levels (of an intensity measure) -> a suite's sweep -> shaken (runs of a cell, a record each), limit_state
+//! levels (of an intensity measure) -> a suite's sweep -> suite_runs (runs of a cell, one per record), limit_state
 //!   runs -> an estimator (stripes, IDA, cloud) -> a curve with theta and beta, or why there is none
 //!        -> events or recordings resampled -> intervals
 //!        hazard_text -> hazard curve -> annual rate, with what of it no data tell; order (curves that cross)

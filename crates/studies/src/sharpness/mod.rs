@@ -16,12 +16,12 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
+use topple::results::observed::ObservedOutcomes;
 use topple::results::outcomes::Outcomes;
 use topple::scene::Grid;
 use topple::scene::grid::Axis;
 use topple::sweep::error::SweepError;
 use topple::sweep::map::MapSweep;
-use topple::work::observed::ObservedOutcomes;
 use topple::work::observer::{Observer, Phase};
 
 use blocks::{classes, sums};

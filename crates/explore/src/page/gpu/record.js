@@ -1,5 +1,5 @@
 // The record that a page was exported with, scaled as a scene has it. Twin: src/scene/excitation.rs and
-// src/scene/record/pair.rs.
+// crates/records/src/pair.rs.
 
 // The record of a scene of these numbers: a single factor or peak is in its samples, several are the cells' own.
 export function scaledRecord(record, numbers) {

@@ -4,12 +4,12 @@ use std::borrow::Cow;
 use std::io;
 use std::ops::Range;
 
-use super::observer::Observer;
+use super::columns::Column;
+use super::outcomes::Outcomes;
+use super::values::ColumnValues;
 use crate::model::precision::Precision;
-use crate::results::columns::Column;
-use crate::results::outcomes::Outcomes;
-use crate::results::values::ColumnValues;
 use crate::stepping::outcome::Outcome;
+use crate::work::observer::Observer;
 
 /// Outcomes with an observer of their reading. The unit of progress is a cell times a column.
 pub struct ObservedOutcomes<'a> {
