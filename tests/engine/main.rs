@@ -30,6 +30,7 @@ mod seismic;
 mod shader;
 mod shards;
 mod shortcuts;
+mod tables;
 mod tiles;
 #[path = "../../benches/warps/tests.rs"]
 mod warps;
