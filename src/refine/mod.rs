@@ -14,7 +14,6 @@
 pub(crate) mod bound;
 pub(crate) mod boxes;
 pub mod codes;
-pub mod curve;
 pub(crate) mod error;
 pub(crate) mod leaves;
 pub(crate) mod probes;

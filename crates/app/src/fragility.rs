@@ -28,52 +28,31 @@ use super::{InputError, examples, fragility_words};
 
 /// Estimate how likely a block overturns under the motions of a suite, by their intensity.
 #[derive(clap::Args)]
-#[command(after_help = examples::FRAGILITY)]
+#[command(after_help = examples::FRAGILITY, next_help_heading = "Fragility")]
 pub struct FragilityFlags {
     /// Intensity measure of the horizontal component: pga, pgv, arias, cav, sa:T, avg-sa:T (T in s), or 'pga*', 'pgv*'
     /// (in quotes for a shell) relative to the block
-    #[arg(long, value_name = "MEASURE", default_value = "pga", help_heading = "Fragility")]
+    #[arg(long, value_name = "MEASURE", default_value = "pga")]
     im: Intensity,
     /// Levels of the measure to which each motion is scaled, in SI units [default: each motion as it is]
-    #[arg(long, value_name = "LEVELS", help_heading = "Fragility", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LEVELS", allow_hyphen_values = true)]
     levels: Option<Values>,
     /// Limits of the rocking index
-    #[arg(
-        long,
-        value_name = "ZETA,...",
-        value_delimiter = ',',
-        help_heading = "Fragility",
-        value_parser = number,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "ZETA,...", value_delimiter = ',', value_parser = number, allow_negative_numbers = true)]
     limit_zeta: Vec<f64>,
     /// Limits of max |u|, m
-    #[arg(
-        long,
-        value_name = "M,...",
-        value_delimiter = ',',
-        help_heading = "Fragility",
-        value_parser = number,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "M,...", value_delimiter = ',', value_parser = number, allow_negative_numbers = true)]
     limit_u: Vec<f64>,
     /// Limits of the stroke of v, m
-    #[arg(
-        long,
-        value_name = "M,...",
-        value_delimiter = ',',
-        help_heading = "Fragility",
-        value_parser = number,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "M,...", value_delimiter = ',', value_parser = number, allow_negative_numbers = true)]
     limit_v: Vec<f64>,
     /// Estimators of the curves: stripes, ida, cloud; the first one is drawn [default: all that the levels allow]
-    #[arg(long, value_name = "NAME,...", value_delimiter = ',', help_heading = "Fragility", value_parser = one_of::<Estimator>())]
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = one_of::<Estimator>())]
     estimator: Vec<Estimator>,
     #[command(flatten)]
     intervals: IntervalFlags,
     /// Number of resampled sets for the intervals, at least 39 [default: 1000; with more than 100 cells 100]
-    #[arg(long, value_name = "N", help_heading = "Fragility", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     bootstrap: Option<u32>,
     /// Distribution of a number that is not known: KEY=normal(MEAN,DEVIATION), uniform(LOW,HIGH) or lognormal(MEDIAN,BETA); two more
     /// numbers LOW,HIGH cut it off
@@ -85,17 +64,10 @@ pub struct FragilityFlags {
     #[command(flatten)]
     hazard: HazardFlags,
     /// Accepted annual rate; compared with the rate and what may be missing at both ends of the hazard curve, and drawn on maps
-    #[arg(
-        long,
-        value_name = "RATE",
-        help_heading = "Fragility",
-        requires = "hazard",
-        value_parser = number,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "RATE", requires = "hazard", value_parser = number, allow_negative_numbers = true)]
     target: Option<f64>,
     /// Also write the curves for other programs: nrml (OpenQuake, fragility.xml), pelicun (fragility_pelicun.csv)
-    #[arg(long, value_name = "FORMAT,...", value_delimiter = ',', help_heading = "Fragility", value_parser = one_of::<Export>())]
+    #[arg(long, value_name = "FORMAT,...", value_delimiter = ',', value_parser = one_of::<Export>())]
     export: Vec<Export>,
 }
 

@@ -25,14 +25,7 @@ use super::{InputError, words};
 #[derive(clap::Args)]
 pub struct LimitFlags {
     /// Share of the motions under which the block must stand
-    #[arg(
-        long,
-        value_name = "SHARE",
-        default_value = "1",
-        help_heading = "Suite",
-        value_parser = number,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "SHARE", default_value = "1", help_heading = "Suite", value_parser = number, allow_negative_numbers = true)]
     standing: f64,
     /// Limit of max |u|, m: the available room [default: none]
     #[arg(long, value_name = "M", help_heading = "Suite", value_parser = number, allow_negative_numbers = true)]

@@ -1,9 +1,9 @@
 //! Figures that go beyond the paper's: boundaries, shares, motions.
 
 use topple::backend::history;
-use topple::refine::curve::ReferenceWord;
 use topple::scene::{Grid, Scene, Values};
 use topple_lab::figures::animation::{self, Moving};
+use topple_lab::figures::bisection::ReferenceWord;
 use topple_lab::figures::boundary::{self, Bisection, Least};
 use topple_lab::figures::shares::{self, Shares};
 use topple_lab::figures::{Figure, curves, letter};

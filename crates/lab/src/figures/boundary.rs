@@ -6,9 +6,9 @@
 
 use std::io::Write;
 
+use super::bisection::{Bracket, Curve, CurvePoint, ReferenceWord, WITHIN};
 use topple::backend::ready::Backend;
 use topple::cells::plan::Plan;
-use topple::refine::curve::{Bracket, Curve, CurvePoint, ReferenceWord, WITHIN};
 use topple::results::csv::Number;
 use topple::scene::{Directions, Grid, Parameter, Scene};
 use topple::stepping::outcome::Outcome;

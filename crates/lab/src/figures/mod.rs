@@ -4,6 +4,7 @@
 //! motions are records by name, looked for in the user's directory ([`motions`]).
 
 pub mod animation;
+pub mod bisection;
 pub mod boundary;
 pub mod curves;
 pub mod error;

@@ -3,18 +3,18 @@
 
 use serde::Serialize;
 
-use crate::backend::backend_error::BackendError;
-use crate::backend::by_reference::by_reference;
-use crate::backend::ready::Backend;
-use crate::cells::plan::Plan;
-use crate::model::precision::Precision;
-use crate::scene::{Grid, Parameter, Scene};
-use crate::stepping::outcome::Outcome;
-use crate::stepping::reference::Settings;
-use crate::sweep::error::SweepError;
-use crate::sweep::points::sweep_points;
-use crate::work::observer::Observer;
-use crate::work::parallel;
+use topple::backend::backend_error::BackendError;
+use topple::backend::by_reference::by_reference;
+use topple::backend::ready::Backend;
+use topple::cells::plan::Plan;
+use topple::model::precision::Precision;
+use topple::scene::{Grid, Parameter, Scene};
+use topple::stepping::outcome::Outcome;
+use topple::stepping::reference::Settings;
+use topple::sweep::error::SweepError;
+use topple::sweep::points::sweep_points;
+use topple::work::observer::Observer;
+use topple::work::parallel;
 
 /// Width to which a place is bisected, as a share of its axis.
 pub const WITHIN: f64 = 1.0e-6;
@@ -204,8 +204,8 @@ mod tests {
     use std::sync::atomic::AtomicBool;
 
     use super::*;
-    use crate::scene::SceneBuilder;
-    use crate::work::threads::Threads;
+    use topple::scene::SceneBuilder;
+    use topple::work::threads::Threads;
 
     /// Hears on how many threads it is asked whether to go on.
     #[derive(Default)]
