@@ -11,7 +11,7 @@ use topple::results::reader::BlocksInMemory;
 use topple::scene::Grid;
 use topple::stepping::outcome::{Class, Outcome, Status};
 
-use crate::common::object;
+use crate::common::{object, scene, shaken};
 
 /// Outcomes with every kind of value: none, not a number, infinite, of f32 and of f64, whole, small and large.
 fn outcomes(cells: usize) -> Vec<Outcome> {
@@ -52,13 +52,16 @@ fn a_table_is_read_back() {
         axes.for_each(|(value, field)| assert_eq!(field.parse::<f64>().unwrap(), value));
         for (name, field) in names.iter().zip(&row).skip(2) {
             let entry = Column::ALL.into_iter().map(Column::entry).find(|entry| entry.name == name);
+            // Of a number of f32 the digits are those that tell it from others of f32.
+            let single: f64 = field.parse::<f32>().map_or(f64::NAN, f64::from);
             let bits = |value: f64| value.to_bits();
             match entry.unwrap().shown(&outcomes[number]) {
                 Shown::Code(_, code) => assert_eq!(field, code),
                 Shown::Count(count) => assert_eq!(field.parse::<u32>().unwrap(), count),
                 Shown::Number(value) if value.is_nan() => assert_eq!(field, "NaN"),
                 Shown::Number(value) | Shown::Time(Some(value)) => {
-                    assert_eq!(bits(field.parse().unwrap()), bits(value), "{name} {field}");
+                    let read = [field.parse().unwrap(), single].map(bits);
+                    assert!(read.contains(&bits(value)), "{name}: {field} for {value}");
                 }
                 Shown::Time(None) => assert_eq!(field, ""),
             }
@@ -71,7 +74,9 @@ fn a_table_is_read_back() {
 /// A row of one field that is empty is not an empty line, which a reader would pass over.
 #[test]
 fn a_row_of_nothing_is_a_row() {
-    let grid = Grid::of(&object(1, 0.2, (1.75, 0.75), 0.0, "0.1", "1"));
+    let text = "[block]\nobject = 1\n[base]\nisolation = \"none\"\n[pulse]\nomega = 5\na_h = 1\n";
+    let grid = Grid::of(&shaken(scene(text), 0.01, vec![0.0, 1.0, 0.0]));
+    assert!(grid.axes().is_empty());
     let none = [Outcome { t_uplift: None, ..Outcome::PENDING }];
     assert_eq!(written(&grid, &none, &["t_uplift"]), "t_uplift\n\"\"\n");
 }
