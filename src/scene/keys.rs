@@ -309,20 +309,15 @@ mod tests {
                     "isolation" => "\"vertical\"",
                     "pressure" => "\"constant\"",
                     "shape" => "\"ricker\"",
-                    "dt" => "0.01",
-                    "azimuth"
-                    | "horizontal_azimuth"
-                    | "horizontal_2_azimuth"
-                    | "join_gap"
-                    | "floor_period"
-                    | "floor_damping"
-                    | "floor_factor" => "0.5",
-                    "units" => "\"g\"",
-                    "baseline" => "\"line\"",
                     "overturn" => "\"quarter-turn\"",
                     "force" => "true",
                     "x" | "y" => "\"t_h\"",
-                    _ => "\"mine.at2\"",
+                    _ => match RecordKey::named(word).unwrap().place {
+                        Place::Number(..) => "0.5",
+                        Place::Units(_) => "\"g\"",
+                        Place::Baseline(_) => "\"line\"",
+                        Place::File(_) | Place::Channel(_) => "\"mine.at2\"",
+                    },
                 };
                 let text = format!("[{}]\n{word} = {value}\n", section.key());
                 let scene = SceneBuilder::from_toml(&text).unwrap();

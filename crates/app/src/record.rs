@@ -1,6 +1,5 @@
 //! The flags of a record, but for its numbers, made of the table of its keys.
 
-use std::any::Any;
 use std::path::PathBuf;
 
 use clap::{Arg, ArgMatches, Args, Command, Error, FromArgMatches, value_parser};
@@ -53,20 +52,13 @@ impl FromArgMatches for RecordFlags {
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {
-        fn put<T: Any + Clone + Send + Sync>(
-            place: &mut Option<T>,
-            matches: &ArgMatches,
-            key: &str,
-        ) {
-            *place = matches.get_one(key).cloned();
-        }
-        for RecordKey { key, place, .. } in &RECORD_KEYS {
+        for &RecordKey { key, place, .. } in &RECORD_KEYS {
             match place {
-                Place::File(of) => put(of(&mut self.0), matches, key),
-                Place::Channel(of) => put(of(&mut self.0), matches, key),
-                Place::Number(of, ..) => put(of(&mut self.0), matches, key),
-                Place::Units(of) => put(of(&mut self.0), matches, key),
-                Place::Baseline(of) => put(of(&mut self.0), matches, key),
+                Place::File(of) => *of(&mut self.0) = matches.get_one(key).cloned(),
+                Place::Channel(of) => *of(&mut self.0) = matches.get_one(key).cloned(),
+                Place::Number(of, ..) => *of(&mut self.0) = matches.get_one(key).cloned(),
+                Place::Units(of) => *of(&mut self.0) = matches.get_one(key).cloned(),
+                Place::Baseline(of) => *of(&mut self.0) = matches.get_one(key).cloned(),
             }
         }
         Ok(())

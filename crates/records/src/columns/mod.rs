@@ -76,6 +76,7 @@ fn of_numbers(text: &str, hints: &RecordHints, mut told: Told) -> Result<Raw, Re
                 continue;
             }
             let hint = match (line.matches(':').count(), line.contains(',')) {
+                _ if rows.are_several() => "",
                 (1.., _) => "; a time is read in s, as 2003-01-02T03:04:05.01, or as 03:04:05.01",
                 (_, true) => "; if its commas are decimal ones, write points",
                 _ => "; is the file of a known format?",
@@ -84,40 +85,32 @@ fn of_numbers(text: &str, hints: &RecordHints, mut told: Told) -> Result<Raw, Re
         };
         if numbers.is_empty() {
             // Nothing but separators, as a spreadsheet leaves below its last row.
-            empty.get_or_insert(at);
+            if !rows.are_none() {
+                empty.get_or_insert(at);
+            }
             continue;
         }
-        if let (Some(empty), false) = (empty, rows.are_none()) {
-            return Err(empty_row(empty));
+        if let Some(empty) = empty {
+            let problem = "an empty row amid the samples; fill it in, or cut the record there";
+            return Err(RecordError::line(empty, problem));
         }
         // Asked of the first row alone: what looks at the lines above reads the text again.
-        let is_several = |columns: usize| columns > 2 || columns == 2 && named::is_pair(text, at);
-        if rows.are_none() && is_several(numbers.len()) {
-            return of_table(text, at, hints, told, title, commas);
+        let is_several = |columns| columns > 2 || columns == 2 && named::is_pair(text, at);
+        rows.add((at, line), &fields, numbers, is_several)?;
+    }
+    let decimal_commas = commas.then(|| "decimal commas".to_string());
+    match rows.table()? {
+        Ok(table) => {
+            let mut raw = several::read(text, table, hints, told, title)?;
+            raw.notes.extend(decimal_commas);
+            Ok(raw)
         }
-        rows.add(at, line, &fields, numbers)?;
+        Err(rows) => {
+            let mut raw = rows.record(&told, hints.dt)?;
+            raw.notes.extend(decimal_commas);
+            told.complete(titled(raw, title))
+        }
     }
-    // A count of rows of several columns.
-    if let Some(at) = rows.counted_table() {
-        return of_table(text, at, hints, told, title, commas);
-    }
-    let mut raw = rows.record(&told, hints.dt)?;
-    raw.notes.extend(commas.then(|| DECIMAL_COMMAS.to_string()));
-    told.complete(titled(raw, title))
-}
-
-/// The record in rows of several columns, from line `at` on.
-fn of_table(
-    text: &str,
-    at: usize,
-    hints: &RecordHints,
-    told: Told,
-    title: String,
-    commas: bool,
-) -> Result<Raw, RecordError> {
-    let mut raw = several::read(text, at, hints, told, title)?;
-    raw.notes.extend(commas.then(|| DECIMAL_COMMAS.to_string()));
-    Ok(raw)
 }
 
 /// A record with its title, and what that states: without a place and a component it is a heading of columns, and with the
@@ -131,14 +124,6 @@ fn titled(mut raw: Raw, title: String) -> Raw {
     raw.title = title;
     raw
 }
-
-/// A row without a number between others.
-fn empty_row(at: usize) -> RecordError {
-    RecordError::line(at, "an empty row amid the samples; fill it in, or cut the record there")
-}
-
-/// What is said of a file that has them.
-const DECIMAL_COMMAS: &str = "decimal commas";
 
 /// Refuses a row of semicolons with decimal commas in one number and a point in another: the one may separate thousands.
 fn refuse_two_signs(at: usize, line: &str) -> Result<(), RecordError> {

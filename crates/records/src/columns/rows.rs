@@ -1,5 +1,7 @@
-//! The rows of plain numbers: values, times and values, or values that run on below a count.
+//! The rows of plain numbers: values, times and values, several columns, or values that run on below a count.
 
+use super::several::has_decimal_commas;
+use super::table::Table;
 use super::timed::Timed;
 use super::told::Told;
 use crate::lines::MOST_SAMPLES;
@@ -10,6 +12,9 @@ use crate::{Raw, RecordError, Stated, Step};
 
 /// Fewest samples that a count is taken for one of.
 const FEWEST: f64 = 10.0;
+
+/// Most numbers of a row.
+const WIDEST: usize = 64;
 
 /// Numbers on a line of its own that may be a step below a count, s.
 const STEPS: std::ops::RangeInclusive<f64> = 5.0e-4..=0.1;
@@ -39,17 +44,20 @@ impl First {
 #[derive(Default)]
 pub(super) struct Rows {
     first: Option<First>,
-    /// All values after the first row, row by row, and the fewest and the most of a row.
+    /// True of rows of several columns, of which the first is one; another first row may be a count.
+    are_several: bool,
+    /// The values of the rows, without the first one that may be a count, and the fewest and the most of a row.
     values: Vec<f64>,
     rows: usize,
-    /// The line of the first row after the first one.
-    second: usize,
+    /// The line of the first of them, and whether commas in it may be decimal ones.
+    begins: usize,
+    has_commas: bool,
     narrowest: usize,
     widest: usize,
-    /// The last row of as many values as none before it had, and its line.
+    /// The line of the last row of as many values as none before it had.
     odd: usize,
-    /// The first of each row after the first, where there are two: times, and the digits that they have.
-    times: Times,
+    /// The first two numbers of each row of several, which may be times, with the digits that they have.
+    times: [Times; 2],
     /// A value after the first row is written with a point or an exponent.
     points: bool,
 }
@@ -85,26 +93,51 @@ impl Rows {
         self.first.is_none()
     }
 
+    /// True where rows of several columns have begun.
+    pub fn are_several(&self) -> bool {
+        self.are_several
+    }
+
+    /// One more; `is_several` tells of a first row of so many columns whether each is one of a table.
     pub fn add(
         &mut self,
-        at: usize,
-        line: &str,
+        (at, line): (usize, &str),
         fields: &[&str],
         numbers: Vec<f64>,
+        is_several: impl FnOnce(usize) -> bool,
     ) -> Result<(), RecordError> {
-        let Some(first) = &self.first else {
-            self.first = Some(First { at, text: line.chars().take(40).collect(), numbers });
-            return Ok(());
-        };
         let columns = numbers.len();
         // Only a count tells that values run on from row to row.
-        let counted = first.as_count().is_some();
-        if !counted && columns != first.numbers.len() {
-            return Err(too_many(at, columns, line));
+        let mut counted = false;
+        if let Some(first) = &self.first {
+            counted = first.as_count().is_some() && !self.are_several;
+            if let Some(short) =
+                self.short().or((self.are_several && columns > self.widest).then_some(at))
+            {
+                let problem = format!(
+                    "another count of columns than the {} of line {}; write as many in each row",
+                    self.widest, self.begins
+                );
+                return Err(RecordError::line(short, problem));
+            }
+            if !counted && !self.are_several && columns != first.numbers.len() {
+                return Err(too_many(at, columns, line));
+            }
+        } else {
+            self.are_several = is_several(columns);
+            let text = line.chars().take(40).collect();
+            self.first = Some(First { at, text, numbers: numbers.clone() });
+            if !self.are_several {
+                return Ok(());
+            }
         }
         if self.rows == 0 {
-            self.second = at;
+            self.begins = at;
+            self.has_commas = !line.contains(';') && has_decimal_commas(line);
             (self.narrowest, self.widest) = (columns, columns);
+            if self.are_several && self.has_commas {
+                return Err(too_many(at, columns, line));
+            }
         }
         if columns != self.widest && columns != self.narrowest || columns > self.widest {
             self.odd = at;
@@ -112,29 +145,59 @@ impl Rows {
         self.narrowest = self.narrowest.min(columns);
         self.widest = self.widest.max(columns);
         self.points |= fields.iter().any(|field| field.contains(['.', 'e', 'E', 'd', 'D']));
-        if columns == 2 {
-            self.times.add(at, fields[0], numbers[0]);
+        let times = if self.are_several || columns > 2 { 2 } else { columns / 2 };
+        for ((times, field), number) in self.times.iter_mut().zip(fields).zip(&numbers).take(times)
+        {
+            times.add(at, field, *number);
         }
         self.rows += 1;
         // Of time and value the value is kept, unless the values may run on.
-        let from = if counted { 0 } else { columns - 1 };
+        let from = if counted || self.are_several { 0 } else { columns - 1 };
         self.values.extend(&numbers[from..]);
-        if self.values.len() > 2 * MOST_SAMPLES || self.rows > MOST_SAMPLES {
-            return Err(RecordError::line(at, format!("more than {MOST_SAMPLES} samples")));
-        }
-        Ok(())
+        let problem = match self.are_several {
+            true if self.widest > WIDEST || self.values.len() > 4 * MOST_SAMPLES => {
+                format!("more than {WIDEST} columns, or {MOST_SAMPLES} samples")
+            }
+            false if self.values.len() > 2 * MOST_SAMPLES || self.rows > MOST_SAMPLES => {
+                format!("more than {MOST_SAMPLES} samples")
+            }
+            _ => return Ok(()),
+        };
+        Err(RecordError::line(at, problem))
     }
 
-    /// The line after a count that is the count of the rows that follow, of several columns each.
-    pub fn counted_table(&self) -> Option<usize> {
-        let (count, _) = self.first.as_ref()?.as_count()?;
-        let several = self.narrowest == self.widest && self.widest > 2;
-        (several && self.rows as f64 == count).then_some(self.second)
+    /// The line of a row of a table that has fewer numbers than the others.
+    fn short(&self) -> Option<usize> {
+        (self.are_several && self.narrowest < self.widest).then_some(self.odd)
+    }
+
+    /// The rows as a table of several columns, if they are one: also below a first row that is the count of the others.
+    ///
+    /// # Errors
+    /// More columns than are read below a count, and commas that may be decimal ones.
+    pub fn table(self) -> Result<Result<Table, Rows>, RecordError> {
+        let count = self.first.as_ref().and_then(First::as_count);
+        let is_even = self.narrowest == self.widest && self.widest > 2;
+        let counted = is_even && count.is_some_and(|(count, _)| self.rows as f64 == count);
+        if !self.are_several && !counted {
+            return Ok(Err(self));
+        }
+        if self.has_commas {
+            return Err(too_many(self.begins, self.widest, ","));
+        }
+        if self.widest > WIDEST {
+            let problem = format!("more than {WIDEST} columns, or {MOST_SAMPLES} samples");
+            return Err(RecordError::line(self.begins, problem));
+        }
+        let (short, width, first) = (self.short(), self.widest, self.begins);
+        Ok(Ok(Table { width, values: self.values, times: self.times, first, short }))
     }
 
     /// The record in the rows: the other rows show whether the first one is a count.
     pub fn record(self, told: &Told, given: Option<f64>) -> Result<Raw, RecordError> {
-        let Rows { first, mut values, rows, narrowest, widest, odd, times, points, .. } = self;
+        let Rows {
+            first, mut values, rows, narrowest, widest, odd, times: [times, _], points, ..
+        } = self;
         let Some(first) = first else { return Ok(Raw::default()) };
         let two = narrowest == 2 && widest == 2;
         if let Some((count, step)) = first.as_count() {

@@ -20,19 +20,15 @@ pub fn has_decimal_commas(line: &str) -> bool {
     line.split_whitespace().count() > 1 && line.split_whitespace().any(within)
 }
 
-/// The record in a text whose first row of several columns stands in line `first`; `title` is the first line of words.
+/// The record in rows of several columns below the lines of a text; `title` is the first line of words.
 pub(super) fn read(
     text: &str,
-    first: usize,
+    table: Table,
     hints: &RecordHints,
     mut told: Told,
     title: String,
 ) -> Result<Raw, RecordError> {
-    let line = text.lines().nth(first - 1).unwrap_or_default();
-    if !line.contains(';') && has_decimal_commas(line) {
-        return Err(super::rows::too_many(first, super::free(line).len(), line));
-    }
-    let table = Table::read(text, first)?;
+    let first = table.first;
     let names = names(text, first, table.width);
     // Some programs count the rows before the times.
     let grows = table.grows(0);
@@ -72,7 +68,7 @@ pub(super) fn read(
                  write their count and step above them, as in '4000 0.01'; else name the columns",
                 table.width
             );
-            return Err(RecordError::line(table.first, problem));
+            return Err(RecordError::line(first, problem));
         }
         raw.notes.push(format!("values run on from row to row, {} in each", table.width));
         raw.values = table.values;

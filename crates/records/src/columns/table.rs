@@ -1,12 +1,6 @@
 //! Rows of several numbers: as many in each, times among them, or values that run on from row to row.
 
-use super::{COMMENT, Row};
-use crate::RecordError;
-use crate::lines::MOST_SAMPLES;
 use crate::times::Times;
-
-/// Most numbers of a row.
-const WIDEST: usize = 64;
 
 /// Part of the change from row to row below which values that follow each other in a row change, where they run on.
 const RUN_ON: f64 = 0.8;
@@ -26,57 +20,6 @@ pub(super) struct Table {
 }
 
 impl Table {
-    pub fn read(text: &str, first: usize) -> Result<Table, RecordError> {
-        let mut table = Table {
-            width: 0,
-            values: Vec::new(),
-            times: [Times::default(), Times::default()],
-            first,
-            short: None,
-        };
-        let mut empty = None;
-        for (index, line) in text.lines().enumerate().skip(first - 1) {
-            let (at, line) = (index + 1, line.trim());
-            if line.is_empty() || line.starts_with(COMMENT) {
-                continue;
-            }
-            let row = Row::new(at, line)?;
-            let fields = row.fields();
-            let Some(numbers) = super::numbers(&fields) else {
-                return Err(RecordError::line(at, "this is not a number"));
-            };
-            if numbers.is_empty() {
-                empty.get_or_insert(at);
-                continue;
-            }
-            if let Some(empty) = empty {
-                return Err(super::empty_row(empty));
-            }
-            if table.width == 0 {
-                table.width = numbers.len();
-            }
-            if let Some(short) = table.short.or((numbers.len() > table.width).then_some(at)) {
-                let problem = format!(
-                    "another count of columns than the {} of line {first}; write as many in each row",
-                    table.width
-                );
-                return Err(RecordError::line(short, problem));
-            }
-            if numbers.len() < table.width {
-                table.short = Some(at);
-            }
-            for ((times, field), number) in table.times.iter_mut().zip(&fields).zip(&numbers) {
-                times.add(at, field, *number);
-            }
-            table.values.extend(&numbers);
-            if table.width > WIDEST || table.values.len() > 4 * MOST_SAMPLES {
-                let problem = format!("more than {WIDEST} columns, or {MOST_SAMPLES} samples");
-                return Err(RecordError::line(at, problem));
-            }
-        }
-        Ok(table)
-    }
-
     pub fn column(&self, column: usize) -> impl Iterator<Item = f64> {
         self.values.iter().skip(column).step_by(self.width).copied()
     }

@@ -317,3 +317,32 @@ fn a_column_of_frequencies_is_no_time() {
         assert!(error.contains("this is no motion over time"), "{heading}: {error}");
     }
 }
+
+/// Nothing but separators above the samples is no sample, in a table as in one column; amid them one may be missing.
+#[test]
+fn a_row_of_separators_above_the_samples_says_nothing() {
+    let of = |width: usize, row: usize| {
+        let mut lines: Vec<String> = (0..50)
+            .map(|k| {
+                format!("{:.2}", 0.01 * k as f64) + &format!(",{:.4}", motion(k)).repeat(width)
+            })
+            .collect();
+        lines.insert(row, ",".repeat(width));
+        let hints = RecordHints { force: true, ..RecordHints::default() };
+        read(&format!("time{}\n{}\n", ",acc".repeat(width), lines.join("\n")), &hints)
+    };
+    for width in [1, 2] {
+        assert_eq!(of(width, 0).unwrap().values.len(), 50);
+        let error = of(width, 9).unwrap_err().to_string();
+        assert!(error.starts_with("line 11: an empty row amid the samples"), "{error}");
+    }
+}
+
+#[test]
+fn decimal_commas_are_said_wherever_they_begin() {
+    for rows in ["0;0;0\n0,01;0,5;0,25\n0,02;0,75;0,5\n", "0;0\n0,01;0,5\n0,02;0,75\n"] {
+        let raw = read(rows, &channel("1")).unwrap();
+        assert_eq!((raw.values.len(), raw.values[1]), (3, 0.5));
+        assert!(raw.notes.iter().any(|note| note == "decimal commas"), "{:?}", raw.notes);
+    }
+}
