@@ -63,7 +63,6 @@ fn rows(cells: FileCells, columns: ColumnSet, first: usize, block: &[Outcome]) -
     let entries: Vec<&Entry> = columns.of_table().collect();
     let mut table = Vec::with_capacity(ROWS << 7);
     for (number, cell) in (first..).zip(block) {
-        let begins = table.len();
         cells.grid.coordinates(cells.cell(number)).for_each(|at| put_number(&mut table, at));
         cells.counts().iter().for_each(|count| put_count(&mut table, count.values[number]));
         for entry in &entries {
@@ -75,11 +74,8 @@ fn rows(cells: FileCells, columns: ColumnSet, first: usize, block: &[Outcome]) -
                 Shown::Time(None) => put(&mut table, ""),
             }
         }
-        // The comma after the last field; a line of one empty field is not an empty line.
+        // The comma after the last field. A grid has two axes at least.
         table.pop();
-        if table.len() == begins {
-            table.extend_from_slice(b"\"\"");
-        }
         table.push(b'\n');
     }
     table

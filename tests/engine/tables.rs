@@ -11,7 +11,7 @@ use topple::results::reader::BlocksInMemory;
 use topple::scene::Grid;
 use topple::stepping::outcome::{Class, Outcome, Status};
 
-use crate::common::{object, scene, shaken};
+use crate::common::object;
 
 /// Outcomes with every kind of value: none, not a number, infinite, of f32 and of f64, whole, small and large.
 fn outcomes(cells: usize) -> Vec<Outcome> {
@@ -69,16 +69,6 @@ fn a_table_is_read_back() {
         rows += 1;
     }
     assert_eq!(rows, grid.len());
-}
-
-/// A row of one field that is empty is not an empty line, which a reader would pass over.
-#[test]
-fn a_row_of_nothing_is_a_row() {
-    let text = "[block]\nobject = 1\n[base]\nisolation = \"none\"\n[pulse]\nomega = 5\na_h = 1\n";
-    let grid = Grid::of(&shaken(scene(text), 0.01, vec![0.0, 1.0, 0.0]));
-    assert!(grid.axes().is_empty());
-    let none = [Outcome { t_uplift: None, ..Outcome::PENDING }];
-    assert_eq!(written(&grid, &none, &["t_uplift"]), "t_uplift\n\"\"\n");
 }
 
 /// A column of some cells is that of their outcomes, whatever the blocks in which they stay and the number types.

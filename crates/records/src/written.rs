@@ -21,7 +21,7 @@ pub trait Written: Copy + 'static {
     }
 }
 
-/// Defines an enum that is [`Written`](crate::Written): each variant with its word, and with further words that are only read. Serde uses the same
+/// Defines an enum that is [`Written`]: each variant with its word, and with further words that are only read. Serde uses the same
 /// words, and the doc comment of a variant is its help.
 #[macro_export]
 macro_rules! written {
