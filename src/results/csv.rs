@@ -74,7 +74,7 @@ fn rows(cells: FileCells, columns: ColumnSet, first: usize, block: &[Outcome]) -
                 Shown::Time(None) => put(&mut table, ""),
             }
         }
-        // The comma after the last field. A grid has two axes at least.
+        // The comma after the last field. A grid has an axis at least.
         table.pop();
         table.push(b'\n');
     }
