@@ -20,6 +20,9 @@ const A_THREAD: usize = 1 << 11;
 /// Cells that are made before they go to their columns.
 const FILLED: usize = 1 << 6;
 
+/// Some values of a column that is held, with its description.
+type Held<'a> = (&'static Entry, Slots<'a>);
+
 /// The columns of consecutive cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block {
@@ -218,7 +221,7 @@ impl Block {
         of: impl Fn(Range<usize>, &mut Vec<Outcome>) + Sync,
     ) {
         let cells = first..first + count;
-        let mut whole: Vec<(&Entry, Slots)> =
+        let mut whole: Vec<Held> =
             self.held().map(|(entry, values)| (entry, values.slots(cells.clone()))).collect();
         let cut = |from: usize| {
             let cells = from..(from + A_THREAD).min(count);
@@ -226,7 +229,7 @@ impl Block {
             let slots = columns.map(|(entry, slots)| (*entry, slots.cut(cells.len()))).collect();
             (cells, slots)
         };
-        let mut parts: Vec<(Range<usize>, Vec<(&Entry, Slots)>)> =
+        let mut parts: Vec<(Range<usize>, Vec<Held>)> =
             (0..count).step_by(A_THREAD).map(cut).collect();
         let places: Vec<usize> = (0..A_THREAD).collect();
         parallel::each_slice(&mut parts, 1, |_, parts| {

@@ -21,8 +21,8 @@ fn outcomes(cells: usize) -> Vec<Outcome> {
         status: Status::ALL[k % Status::ALL.len()],
         impacts: 3 * k as u32,
         t_end: numbers[k % numbers.len()],
-        t_uplift: (k % 3 > 0).then_some(k as f64 / 7.0),
-        zeta: if k % 4 == 0 { f64::NAN } else { k as f64 },
+        t_uplift: (!k.is_multiple_of(3)).then_some(k as f64 / 7.0),
+        zeta: if k.is_multiple_of(4) { f64::NAN } else { k as f64 },
         max_u: -(k as f64),
         ..Outcome::PENDING
     };

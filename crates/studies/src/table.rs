@@ -7,7 +7,16 @@ use serde::{Serialize, Serializer};
 use topple::results::csv::Number;
 use topple::scene::Grid;
 
-use crate::suites::columns::{keys, values};
+/// The names of the axes of a grid that was swept.
+pub fn keys(grid: &Grid) -> impl Iterator<Item = &'static str> {
+    grid.told().into_iter().map(|place| grid.axes()[place].key())
+}
+
+/// Their values in a cell.
+pub fn values(grid: &Grid, cell: usize) -> Vec<Number> {
+    let values: Vec<f64> = grid.coordinates(cell).collect();
+    grid.told().into_iter().map(|place| Number(values[place])).collect()
+}
 
 /// A value of a table.
 #[derive(Debug, Clone, PartialEq, Serialize)]

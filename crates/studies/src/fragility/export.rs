@@ -10,8 +10,8 @@ use super::limit_state::LimitState;
 use super::order::implies;
 use super::study::FragilityStudy;
 use crate::study::StudyExport;
-use crate::suites::columns;
 use crate::suites::intensity::Intensity;
+use crate::table;
 use topple::Written;
 use topple::scene::SceneError;
 
@@ -125,8 +125,8 @@ fn curves(study: &FragilityStudy, cell: usize, chain: &[LimitState]) -> Option<V
 /// by `-`, so that a number below zero has an `m` in its place.
 fn name(study: &FragilityStudy, cell: usize) -> String {
     let grid = &study.sweep.grid;
-    let values = columns::values(grid, cell);
-    let parts: Vec<String> = columns::keys(grid)
+    let values = table::values(grid, cell);
+    let parts: Vec<String> = table::keys(grid)
         .zip(values)
         .map(|(key, value)| format!("{key}:{}", value.0).replace('-', "m"))
         .collect();

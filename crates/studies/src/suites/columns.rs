@@ -1,22 +1,10 @@
-//! Columns of a suite's tables: the axes of its sweep, and the results of each cell or motion.
+//! Columns of a suite's tables: the results of each cell or motion.
 
 use topple::results::column_set::ColumnSet;
 use topple::results::columns::{Column, ColumnKind};
-use topple::results::csv::Number;
-use topple::scene::{Grid, SceneError};
+use topple::scene::SceneError;
 
 use crate::table::{TableColumn, number};
-
-/// The names of the axes.
-pub fn keys(grid: &Grid) -> impl Iterator<Item = &'static str> {
-    grid.told().into_iter().map(|place| grid.axes()[place].key())
-}
-
-/// Their values in a cell.
-pub fn values(grid: &Grid, cell: usize) -> Vec<Number> {
-    let values: Vec<f64> = grid.coordinates(cell).collect();
-    grid.told().into_iter().map(|place| Number(values[place])).collect()
-}
 
 /// Percentiles of a column of a map, as parts of a table's names.
 const SHARES: [&str; 3] = ["50", "84", "100"];
