@@ -34,6 +34,8 @@ struct Flight {
     /// Tiles that have cells left.
     left: Vec<Range<usize>>,
     begun: usize,
+    /// Cells that run in it, at most.
+    bound: usize,
     work: u32,
     took: Duration,
 }
@@ -78,7 +80,7 @@ pub fn sweep(traces: &Traces, columns: usize, choice: Choice, kind: Kind) -> Tal
             if bound == 0 {
                 break;
             }
-            let (dispatches, work) = pace.dispatches();
+            let (dispatches, work) = pace.dispatches(bound);
             let all = dispatches * work;
             let dispatches = all.div_ceil(choice.dispatch);
             let work = all / dispatches;
@@ -92,13 +94,13 @@ pub fn sweep(traces: &Traces, columns: usize, choice: Choice, kind: Kind) -> Tal
             let left = sides.iter().map(|side| side.cells.clone()).filter(runs).collect();
             let took = kind.turn * rounds as u32;
             let (running, work) = (list.len(), dispatches * work);
-            flights.push_back(Flight { running, left, begun, work, took });
+            flights.push_back(Flight { running, left, begun, bound, work, took });
             submitted += 1;
         }
         let Some(flight) = flights.pop_front() else { break };
         sides.retain(|side| side.since > heard || flight.left.contains(&side.cells));
         (heard, running) = (heard + 1, flight.running);
-        pace.learn(flight.work, flight.took, Some(flight.took));
+        pace.learn(flight.work, flight.bound, flight.took, Some(flight.took));
     }
     assert!(list.is_empty() && rest == traces.len(), "cells are left");
     card.tally

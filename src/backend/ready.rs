@@ -15,6 +15,9 @@ use super::sink::{Sink, collected};
 use crate::cells::part::Part;
 use crate::model::precision::Precision;
 use crate::results::block::Block;
+use crate::results::collector::OutcomeCollector;
+use crate::results::column_set::ColumnSet;
+use crate::results::columns::Column;
 use crate::stepping::reference::Settings;
 use crate::work::observer::Observer;
 use crate::work::parallel;
@@ -154,9 +157,12 @@ impl Backend {
         sink: Sink,
         observer: &dyn Observer,
     ) -> Result<RunTimes, BackendError> {
-        let first = |sink: Sink| self.run_once(run, sink, observer);
-        let (block, coarse) = collected(run.cells.len(), self.columns(run.precision), first);
-        let coarse = coarse?;
+        // Only the classes of the first run are read.
+        let classes = ColumnSet::of(&[Column::Outcome, Column::Status]);
+        let precision = self.columns(run.precision);
+        let collector = OutcomeCollector::in_memory(run.cells.len(), precision, classes);
+        let coarse = self.run_once(run, Sink::from(0, &collector), observer)?;
+        let block = collector.into_block();
         let (plan, precision) = (&run.plan.halved(), self.finest(run.precision));
         let finer = CellRun { plan, precision, ..*run };
         let fine = self.run_once(&finer, sink.resolving(&block), observer)?;

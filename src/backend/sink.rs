@@ -70,6 +70,7 @@ impl<'a> Sink<'a> {
     /// Takes the outcomes of cells from a number on, by all threads: `of` adds those of some cells, by their places
     /// among them, to a list, or adds nothing where one of these has none.
     pub fn fill(&self, numbers: Range<usize>, of: impl Fn(Range<usize>, &mut Vec<Outcome>) + Sync) {
+        let _alone = self.to.alone();
         let (first, count) = (numbers.start, numbers.len());
         if self.places.is_none() {
             let marked = |places: Range<usize>, outcomes: &mut Vec<Outcome>| {
@@ -95,4 +96,51 @@ pub fn collected<T>(cells: usize, precision: Precision, run: impl FnOnce(Sink) -
     let collector = OutcomeCollector::in_memory(cells, precision, ColumnSet::EVERY);
     let other = run(Sink::from(0, &collector));
     (collector.into_block(), other)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::mpsc;
+    use std::thread;
+    use std::time::Duration;
+
+    use super::*;
+
+    /// Two devices hand over tiles at once, one of them the cells of a part: neither waits for the other for ever, and
+    /// each cell comes to its place.
+    #[test]
+    fn two_devices_do_not_wait_for_each_other() {
+        const CELLS: usize = 1 << 15;
+        let (done, waits) = mpsc::channel();
+        thread::spawn(move || {
+            let of = |some: Range<usize>, outcomes: &mut Vec<Outcome>| {
+                outcomes.extend(some.map(|k| Outcome {
+                    impacts: k as u32,
+                    status: Status::Ok,
+                    ..Outcome::PENDING
+                }));
+            };
+            let places: Vec<usize> = (0..CELLS).rev().collect();
+            for _ in 0..40 {
+                let collector =
+                    OutcomeCollector::in_memory(2 * CELLS, Precision::F32, ColumnSet::EVERY);
+                let whole = Sink::from(CELLS, &collector);
+                let part = Sink { places: Some(&places), ..Sink::from(0, &collector) };
+                thread::scope(|scope| {
+                    for sink in [part, whole] {
+                        scope.spawn(move || sink.fill(0..CELLS, of));
+                    }
+                });
+                let impacts: Vec<u32> = collector
+                    .into_block()
+                    .to_outcomes()
+                    .iter()
+                    .map(|outcome| outcome.impacts)
+                    .collect();
+                assert!(impacts.iter().copied().eq((0..CELLS as u32).rev().chain(0..CELLS as u32)));
+            }
+            let _ = done.send(());
+        });
+        assert!(waits.recv_timeout(Duration::from_secs(120)).is_ok(), "they wait for each other");
+    }
 }

@@ -73,7 +73,7 @@ pub fn refine_on(
     let (columns, rows) = boxes.shape();
     let ran = RanCells::new(map.precision(), map.method.columns);
     let codes = vec![NOT_RUN; columns * rows];
-    let smooth = settings.smooth.map(|share| Smooth::new(share, plan.asked));
+    let smooth = settings.smooth.map(|share| Smooth::new(share, map.method.columns.held()));
     let rounds = map.rounds(&format!("{LISTS}-{columns}x{rows}"))?;
     let saved_in = map.saved_in();
     let mut refiner = Refiner { runner, observer, boxes, codes, ran, smooth, rounds, saved_in };

@@ -9,7 +9,8 @@ use std::collections::HashMap;
 
 use super::boxes::{Boxes, Square};
 use super::codes::NOT_RUN;
-use crate::model::asked::Asked;
+use crate::results::column_set::ColumnSet;
+use crate::results::columns::Column;
 use crate::stepping::outcome::Outcome;
 
 /// The numbers that are looked at.
@@ -44,10 +45,10 @@ pub struct Smooth {
 }
 
 impl Smooth {
-    /// A tolerance as a share of the range that each number has on a map.
-    pub fn new(tolerance: f64, asked: Asked) -> Smooth {
-        let Asked { angles, displacements, forces, .. } = asked;
-        let asked = [angles, forces, displacements, displacements];
+    /// A tolerance as a share of the range that each number has on a map of these columns.
+    pub fn new(tolerance: f64, held: ColumnSet) -> Smooth {
+        let columns = [Column::Zeta, Column::MinContact, Column::MaxU, Column::StrokeV];
+        let asked = columns.map(|column| held.has(column));
         Smooth { tolerances: [tolerance; COUNT], asked, numbers: HashMap::new() }
     }
 

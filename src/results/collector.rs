@@ -36,6 +36,8 @@ struct Chunk {
     left: usize,
     /// True where outcomes are not on disk.
     unsaved: bool,
+    /// True while outcomes are put into the columns, and where a thread panicked then: `left` is not right.
+    changing: bool,
     /// The number of wanted cells that are on disk.
     on_disk: usize,
 }
@@ -48,6 +50,8 @@ pub struct Saver<'a> {
     pub patience: Duration,
     /// True where all outcomes stay in memory, too.
     pub holds: bool,
+    /// The number of threads that save while cells run: one where the threads of the run are busy with cells.
+    pub threads: NonZeroUsize,
     /// Asked before each file. Where it returns false, saving ends early, and the chunk on disk stays as it was.
     pub go_on: &'a (dyn Fn() -> bool + Sync),
 }
@@ -74,6 +78,8 @@ pub struct OutcomeCollector<'a> {
     to_save: Mutex<ToSave>,
     changed: Condvar,
     failed: AtomicBool,
+    /// Held by a thread that hands over cells with all threads, see [`OutcomeCollector::alone`].
+    filling: Mutex<()>,
     began: Instant,
 }
 
@@ -113,6 +119,7 @@ impl<'a> OutcomeCollector<'a> {
             to_save: Mutex::default(),
             changed: Condvar::new(),
             failed: AtomicBool::new(false),
+            filling: Mutex::default(),
             began: Instant::now(),
         }
     }
@@ -191,6 +198,12 @@ impl<'a> OutcomeCollector<'a> {
         }
     }
 
+    /// Waits until no other thread hands over cells with all threads. Two of them would wait for each other: one has a
+    /// chunk and waits for the threads, which wait for the chunk.
+    pub(crate) fn alone(&self) -> MutexGuard<'_, ()> {
+        locked(&self.filling)
+    }
+
     /// Changes the columns of a chunk; `change` returns the number of cells that had not run before. A complete chunk
     /// that is not held waits here while many others leave memory.
     fn change(&self, number: usize, change: impl FnOnce(&mut Block) -> usize) {
@@ -198,10 +211,16 @@ impl<'a> OutcomeCollector<'a> {
         if chunk.left == 0 {
             return;
         }
-        let cells = self.chunking.cells(number).len();
-        let pending = || Block::of(cells, self.precision, self.columns);
-        let block = chunk.block.get_or_insert_with(pending);
-        chunk.left -= change(block);
+        let cells = self.chunking.cells(number);
+        let pending = || Block::of(cells.len(), self.precision, self.columns);
+        let Chunk { block, left, changing, .. } = &mut *chunk;
+        let block = block.get_or_insert_with(pending);
+        if std::mem::replace(changing, true) {
+            let wanted = part_of(&self.wanted, &cells);
+            *left = block.pending_in(wanted.start - cells.start..wanted.end - cells.start);
+        }
+        *left -= change(block).min(*left);
+        *changing = false;
         chunk.unsaved = true;
         if chunk.left > 0 || self.holds() {
             return;
@@ -221,19 +240,15 @@ impl<'a> OutcomeCollector<'a> {
     /// # Errors
     /// Those of the store; then the run is to end, see [`OutcomeCollector::failed`].
     pub fn save_meanwhile(&self) -> Result<(), StoreError> {
-        /// Nobody waits for a thread that is gone, whatever ended it.
-        struct Gone<'c, 'a>(&'c OutcomeCollector<'a>);
-        impl Drop for Gone<'_, '_> {
-            fn drop(&mut self) {
-                self.0.ends();
-            }
-        }
         let Some(saver) = &self.saver else { return Ok(()) };
-        let _gone = Gone(self);
+        let _ended = self.ends_when_dropped();
+        let threads = Threads::new(Some(saver.threads)).map_err(|error| {
+            let reason = io::Error::other(error);
+            self.failed.store(true, Ordering::Relaxed);
+            StoreError::File { path: saver.store.path().to_path_buf(), reason }
+        })?;
         locked(&self.to_save).saving = true;
         let patience = saver.patience.max(SHORTEST);
-        // The threads of the run are busy with cells.
-        let alone = Threads::new(NonZeroUsize::new(1)).unwrap_or_default();
         let mut saved = Instant::now();
         let save = || loop {
             let nothing = |to_save: &mut ToSave| to_save.complete.is_empty() && !to_save.ended;
@@ -258,7 +273,7 @@ impl<'a> OutcomeCollector<'a> {
                 }
             }
         };
-        let result = alone.scope(save);
+        let result = threads.scope(save);
         self.failed.store(result.is_err(), Ordering::Relaxed);
         result
     }
@@ -267,6 +282,20 @@ impl<'a> OutcomeCollector<'a> {
     pub fn ends(&self) {
         locked(&self.to_save).ended = true;
         self.changed.notify_all();
+    }
+
+    /// The same where the result is dropped, whatever ends the thread that has it.
+    pub fn ends_when_dropped<'c>(&'c self) -> impl Drop + use<'c, 'a> {
+        struct Ends<'c, 'a>(&'c OutcomeCollector<'a>);
+        impl Drop for Ends<'_, '_> {
+            fn drop(&mut self) {
+                if std::thread::panicking() {
+                    self.0.failed.store(true, Ordering::Relaxed);
+                }
+                self.0.ends();
+            }
+        }
+        Ends(self)
     }
 
     /// True where saving failed.

@@ -1,6 +1,7 @@
 //! A prepared sweep: its cells, the backends that run them, and the cells that an earlier run has saved.
 
 use std::io;
+use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::panic::resume_unwind;
 use std::path::PathBuf;
@@ -75,6 +76,8 @@ const BATCH: Duration = Duration::from_secs(2);
 /// How much slower than a batch a sample may be: it fills vectors badly, and prepares a record's motions for
 /// few cells.
 const SAMPLE_SLOWER: f64 = 4.0;
+/// Cells that a batch may have, however little memory is to be used.
+const LEAST: usize = 1 << 20;
 /// Cells of the first batch where no sample told how long they take: few, for they may take a second each.
 const UNKNOWN: usize = 1 << 5;
 
@@ -276,8 +279,9 @@ impl Job {
         let collector = self.collector(&go_on)?;
         let work = thread::scope(|scope| {
             let saved = self.saved.as_ref().map(|_| scope.spawn(|| collector.save_meanwhile()));
+            let ended = collector.ends_when_dropped();
             let work = self.work(estimate, &collector, observer);
-            collector.ends();
+            drop(ended);
             match saved.map(ScopedJoinHandle::join) {
                 Some(Ok(Err(error))) => Err(error.into()),
                 Some(Err(panic)) => resume_unwind(panic),
@@ -326,7 +330,9 @@ impl Job {
             let columns = self.settings.method.columns.held();
             return Ok(OutcomeCollector::in_memory(self.grid.len(), self.columns(), columns));
         };
-        let saver = Saver { store, patience: saving.every, holds: self.holds(), go_on };
+        let threads = if self.backends()[0].hands_over_cells() { 1 } else { threads() };
+        let threads = NonZeroUsize::new(threads).unwrap_or(NonZeroUsize::MIN);
+        let saver = Saver { store, patience: saving.every, holds: self.holds(), threads, go_on };
         Ok(OutcomeCollector::saving(saver, found, wanted)?)
     }
 
@@ -352,7 +358,14 @@ impl Job {
         let cells = self.left();
         observer.begins(Phase::Sweeping, if resolve { 2 * cells } else { cells });
         let runner = Runner { plan, grid, backends, precision, resolve };
-        let most = runner.most(cells);
+        // Of a map that memory does not hold, the chunks of the batches that run are held.
+        let most = match &self.settings.saving {
+            Some(saving) if !self.holds() => {
+                let held = saving.memory / (2 * self.bytes(backends.len())).max(1);
+                runner.most(cells).min((held as usize).max(LEAST))
+            }
+            _ => runner.most(cells),
+        };
         let every = self.settings.saving.as_ref().map(|saving| saving.every);
         let takes = every.map_or(BATCH, |every| every.max(SHORTEST));
         // Cells that are slow are to be saved in time, too.

@@ -157,7 +157,8 @@ impl MapSweep {
         let chosen = self.choose(settings.cells, observer)?;
         observer.begins(Phase::Verifying, chosen.len());
         let sample = (&chosen[..], settings.within);
-        let verified = verification::verify(&self.plan, &self.grid, sample, observer);
+        let of = (&self.plan, self.method.columns);
+        let verified = verification::verify(of, &self.grid, sample, observer);
         verified.ok_or(BackendError::Cancelled.into())
     }
 

@@ -19,16 +19,19 @@ pub fn agreement(v: &Verification, within: Duration) -> String {
         0 => String::new(),
         count => format!("{count} unresolved, "),
     };
-    let zeta = v.worst_zeta.map(|worst| format!(", zeta within {}", rounded(worst)));
-    let zeta = zeta.unwrap_or_default();
+    let within = [
+        v.worst_t_end.map(|worst| format!("t_end within {} s", rounded(worst))),
+        v.worst_zeta.map(|worst| format!("zeta within {}", rounded(worst))),
+    ];
+    let within: Vec<String> = within.into_iter().flatten().collect();
+    let within = if within.is_empty() { String::new() } else { format!("; {}", within.join(", ")) };
     format!(
-        "{} again{left_out}, {} beside a boundary: {unresolved}{} differ in outcome, {} overturned cells in impacts; \
-         t_end within {} s{zeta}",
+        "{} again{left_out}, {} beside a boundary: {unresolved}{} differ in outcome, {} overturned cells in \
+         impacts{within}",
         cells(v.sampled),
         v.beside_boundary,
         v.differ,
-        v.impacts_differ,
-        rounded(v.worst_t_end)
+        v.impacts_differ
     )
 }
 

@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 use super::sample::Chosen;
 use crate::backend::by_reference::by_reference;
 use crate::cells::plan::Plan;
-use crate::model::asked::Asked;
+use crate::results::column_set::ColumnSet;
+use crate::results::columns::Column;
 use crate::scene::{Case, Grid};
 use crate::stepping::outcome::{Class, Outcome};
 use crate::stepping::reference::Settings;
@@ -112,10 +113,10 @@ pub struct Verification {
     pub differences: Vec<Difference>,
     /// Overturned cells, agreeing about it, whose impact count differs.
     pub impacts_differ: usize,
-    /// Largest error of the time of overturning where outcome and impacts agree, s.
-    pub worst_t_end: f64,
-    /// Largest error of the first uplift where the outcome agrees, s.
-    pub worst_t_uplift: f64,
+    /// Largest error of the time of overturning where outcome and impacts agree, s; none if it was not requested.
+    pub worst_t_end: Option<f64>,
+    /// Largest error of the first uplift where the outcome agrees, s; none if it was not requested.
+    pub worst_t_uplift: Option<f64>,
     /// Largest error of zeta where the outcome agrees; none if zeta was not requested.
     pub worst_zeta: Option<f64>,
     /// Median error of zeta over the cells that rock; the same.
@@ -162,7 +163,7 @@ impl Verification {
 /// Runs chosen cells of a sweep again by the reference and compares; those that are not done `within` a time, or that the
 /// reference gives up, are left out. `observer` hears of cells; none where it is cancelled.
 pub fn verify(
-    plan: &Plan,
+    (plan, columns): (&Plan, ColumnSet),
     grid: &Grid,
     (chosen, within): (&[Chosen], Duration),
     observer: &dyn Observer,
@@ -179,7 +180,7 @@ pub fn verify(
     if observer.cancelled() {
         return None;
     }
-    let report = compare(grid, plan.asked, judged.into_iter().flatten());
+    let report = compare(grid, columns, judged.into_iter().flatten());
     Some(Verification { chosen: chosen.len(), ..report })
 }
 
@@ -211,13 +212,14 @@ fn judge(plan: &Plan, case: &Case, chosen: Chosen, go_on: &dyn Fn() -> bool) -> 
     Some(judged)
 }
 
-/// Compares cells that sweep and reference have run, in the columns that the sweep was to compute.
+/// Compares cells that sweep and reference have run, in those columns of the sweep.
 pub fn compare(
     grid: &Grid,
-    asked: Asked,
+    columns: ColumnSet,
     judged: impl IntoIterator<Item = Judged>,
 ) -> Verification {
-    let zeta = asked.angles.then_some(0.0);
+    let known = |column| columns.held().has(column).then_some(0.0);
+    let zeta = known(Column::Zeta);
     let mut report = Verification {
         verdict: Verdict::Nothing,
         chosen: 0,
@@ -230,8 +232,8 @@ pub fn compare(
         differ_sensitive: 0,
         differences: Vec::new(),
         impacts_differ: 0,
-        worst_t_end: 0.0,
-        worst_t_uplift: 0.0,
+        worst_t_end: known(Column::TEnd),
+        worst_t_uplift: known(Column::TUplift),
         worst_zeta: zeta,
         median_zeta: zeta,
     };
@@ -259,11 +261,12 @@ pub fn compare(
             continue;
         }
         if let (Some(a), Some(b)) = (cell.t_uplift, reference.t_uplift) {
-            report.worst_t_uplift = report.worst_t_uplift.max((a - b).abs());
+            report.worst_t_uplift = report.worst_t_uplift.map(|worst| worst.max((a - b).abs()));
         }
         if cell.class.overturned() {
             if cell.impacts == reference.impacts {
-                report.worst_t_end = report.worst_t_end.max((cell.t_end - reference.t_end).abs());
+                let error = (cell.t_end - reference.t_end).abs();
+                report.worst_t_end = report.worst_t_end.map(|worst| worst.max(error));
             } else {
                 report.impacts_differ += 1;
             }
@@ -325,7 +328,7 @@ mod tests {
             let sensitive = (30..33).contains(&cell);
             Judged { chosen: Chosen { cell, beside_boundary, outcome }, reference, sensitive }
         });
-        compare(&grid(), Asked::ALL, judged)
+        compare(&grid(), ColumnSet::ALL, judged)
     }
 
     #[test]
@@ -345,10 +348,10 @@ mod tests {
             let chosen =
                 Chosen { cell: 5, beside_boundary: false, outcome: outcome(Class::Rocking, 1.0) };
             let reference = outcome(Class::OverturnedLeft, 1.0);
-            compare(&grid(), Asked::ALL, [Judged { chosen, reference, sensitive }]).verdict
+            compare(&grid(), ColumnSet::ALL, [Judged { chosen, reference, sensitive }]).verdict
         };
         assert_eq!((one(true), one(false)), (Verdict::AsExpected, Verdict::Wrong));
-        assert_eq!(compare(&grid(), Asked::ALL, []).verdict, Verdict::Nothing);
+        assert_eq!(compare(&grid(), ColumnSet::ALL, []).verdict, Verdict::Nothing);
         let report = report(2, 3, 4);
         assert_eq!((report.sampled, report.beside_boundary, report.differ), (40, 20, 9));
         assert_eq!((report.differ_beside_boundary, report.differ_tensile), (2, 4));
@@ -395,7 +398,7 @@ mod tests {
                 Judged { chosen, reference, sensitive: false }
             })
         };
-        assert_eq!(compare(&grid(), Asked::ALL, judged(0.009)).verdict, Verdict::Right);
-        assert_eq!(compare(&grid(), Asked::ALL, judged(0.011)).verdict, Verdict::Wrong);
+        assert_eq!(compare(&grid(), ColumnSet::ALL, judged(0.009)).verdict, Verdict::Right);
+        assert_eq!(compare(&grid(), ColumnSet::ALL, judged(0.011)).verdict, Verdict::Wrong);
     }
 }

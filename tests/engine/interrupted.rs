@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
+use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -237,8 +238,13 @@ fn outcomes_are_read_across_chunks() {
     let whole = vec![65_000..70_000, 0..65_000];
     for (holds, pieces) in [(true, &across), (false, &across), (true, &whole), (false, &whole)] {
         let (store, found) = open(out.path(), &scene, Precision::F32, true).unwrap();
-        let saver =
-            Saver { store: &store, patience: Duration::from_secs(3600), holds, go_on: &|| true };
+        let saver = Saver {
+            store: &store,
+            patience: Duration::from_secs(3600),
+            holds,
+            threads: NonZeroUsize::MIN,
+            go_on: &|| true,
+        };
         let collector = OutcomeCollector::saving(saver, &found, all.clone()).unwrap();
         let put = |cells: Vec<usize>| {
             let some: Vec<Outcome> = cells.iter().map(|cell| outcomes[*cell]).collect();

@@ -10,6 +10,7 @@ use topple::refine::codes::code;
 use topple::refine::refined::RefinedMap;
 use topple::refine::run::{refine, refine_on};
 use topple::refine::settings::RefineSettings;
+use topple::results::column_set::ColumnSet;
 use topple::results::columns::Column;
 use topple::results::outcomes::Outcomes;
 use topple::{
@@ -20,7 +21,18 @@ use topple::{
 use crate::common::{gpu, object, say, scene};
 
 fn refined(scene: &Scene, on: Backend, settings: &RefineSettings) -> RefinedMap {
+    refined_of(ColumnSet::ALL, scene, on, settings)
+}
+
+/// The same of a map of some columns.
+fn refined_of(
+    columns: ColumnSet,
+    scene: &Scene,
+    on: Backend,
+    settings: &RefineSettings,
+) -> RefinedMap {
     let mut run = RunSettings::default();
+    run.method.columns = columns;
     run.backend = BackendRequest::Cpu;
     run.verify = VerifySettings::cells(0);
     let map = sweep(scene, &[], &run, &Unwatched).unwrap();
@@ -310,4 +322,22 @@ fn numbers_between_cells_are_within_their_tolerance() {
         (last.share_rough_at_most.unwrap() + last.share_missed_at_most) * last.left_alone as f64;
     assert!(rough as f64 <= most && 5 * rough < before, "{rough} off, at most {most}");
     assert!(smooth.cells().len() > plain.cells().len());
+}
+
+/// A number that was not asked for is not to be smooth: where only an angle is asked for, which is not looked at, no cell
+/// is run for smooth numbers, and of two numbers of a kind that which is not there asks for nothing.
+#[test]
+fn only_columns_that_are_held_are_to_be_smooth() {
+    let scene = object(1, 0.2, (1.75, 0.75), 0.0, "4:12:9", "2:12:9");
+    let mut settings = levels(3, 100);
+    settings.smooth = Some(0.02);
+    let cells = |columns: &[&str], settings: &RefineSettings| {
+        let columns = ColumnSet::of_names(columns).unwrap();
+        refined_of(columns, &scene, Backend::Cpu, settings).cells().len()
+    };
+    let plain = cells(&["max_phi_left"], &levels(3, 100));
+    assert_eq!(cells(&["max_phi_left"], &settings), plain);
+    let one = cells(&["max_u"], &settings);
+    let both = cells(&["max_u", "stroke_v"], &settings);
+    assert!(plain < one && one <= both && both < 65 * 65, "{plain}, {one}, {both}");
 }

@@ -218,6 +218,25 @@ fn what_cannot_be_saved_ends_the_sweep() {
     assert!(!error.is_cancelled() && error.to_string().contains("unfinished"), "{error}");
 }
 
+/// What was not asked for is compared with nothing: neither zeta beside another angle, nor times.
+#[test]
+fn only_columns_that_are_held_are_compared() {
+    let _alone = alone();
+    for (columns, [zeta, t_end]) in [
+        (&["max_phi_left"][..], [false, false]),
+        (&["zeta"], [true, false]),
+        (&["max_phi_left", "t_end"], [false, true]),
+    ] {
+        let mut settings = settings();
+        settings.method.columns = ColumnSet::of_names(columns).unwrap();
+        let verified = sweep(&scene(), &[], &settings, &Unwatched).unwrap().verification.unwrap();
+        assert_eq!(verified.verdict, Verdict::Right, "{columns:?}: {verified:?}");
+        let known = [verified.worst_zeta, verified.worst_t_end].map(|worst| worst.is_some());
+        assert_eq!(known, [zeta, t_end], "{columns:?}");
+        assert!(verified.worst_zeta.is_none_or(|worst| worst < 0.01), "{verified:?}");
+    }
+}
+
 /// A verification without time says that nothing is verified; the map is there.
 #[test]
 fn a_verification_keeps_to_its_time() {

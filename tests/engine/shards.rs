@@ -1,6 +1,7 @@
 //! A map in shards: run apart, by one worker or several that may vanish, and joined.
 
 use std::fs;
+use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Barrier, Mutex};
@@ -214,6 +215,7 @@ fn after_a_lost_device_the_run_goes_on() {
                 store: &store,
                 patience: Duration::ZERO,
                 holds: in_memory,
+                threads: NonZeroUsize::MIN,
                 go_on: &|| true,
             };
             let collector = OutcomeCollector::saving(saver, &found, 0..grid.len()).unwrap();
@@ -257,7 +259,13 @@ fn chunks_leave_memory_or_the_run_ends() {
             fs::write(store.path(), "not a folder").unwrap();
         }
         let patience = Duration::from_secs(3600);
-        let saver = Saver { store: &store, patience, holds: false, go_on: &|| true };
+        let saver = Saver {
+            store: &store,
+            patience,
+            holds: false,
+            threads: NonZeroUsize::MIN,
+            go_on: &|| true,
+        };
         let collector = OutcomeCollector::saving(saver, &found, 0..grid.len()).unwrap();
         let cell = |k: usize| Outcome { impacts: k as u32, status: Status::Ok, ..Outcome::PENDING };
         let saved = thread::scope(|scope| {

@@ -104,9 +104,10 @@ pub fn write(
     }
     let by_reference = to.verify.cells > 0 && map.by_reference();
     let (plan, grid, within) = (map.plan.clone(), map.grid.clone(), to.verify.within);
+    let columns = map.method.columns;
     let verify = (!chosen.is_empty()).then_some(|observer: &dyn Observer| {
         let mut began = Instant::now();
-        let verified = verification::verify(&plan, &grid, (&chosen, within), observer);
+        let verified = verification::verify((&plan, columns), &grid, (&chosen, within), observer);
         verified.map(|verification| (verification, lap(&mut began)))
     });
     let write = || files(&mut map, results, to, (tally, sharpness), &mut took, say, screen);

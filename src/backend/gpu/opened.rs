@@ -1,6 +1,7 @@
 //! An open GPU: its device, the compiled sweeps, and the buffers that the next sweep uses again.
 
 use std::ops::Deref;
+use std::sync::atomic::AtomicUsize;
 use std::sync::{Mutex, PoisonError};
 
 use wgpu::Adapter;
@@ -19,6 +20,8 @@ pub struct Gpu {
     pipelines: Mutex<Vec<(Key, Pipelines)>>,
     /// The buffers for cells, which the next sweep uses again.
     slots: Mutex<Option<Slots>>,
+    /// The most cells of a tile for which the device had memory, where it had none for more.
+    pub most_cells: AtomicUsize,
 }
 
 /// The number type and the variant of a compiled sweep.
@@ -39,7 +42,8 @@ impl Gpu {
     /// [`BackendError::NoDevice`].
     pub fn open(adapter: &Adapter) -> Result<Gpu, BackendError> {
         let device = OpenDevice::open(adapter)?;
-        Ok(Gpu { device, pipelines: Mutex::default(), slots: Mutex::default() })
+        let (pipelines, slots) = (Mutex::default(), Mutex::default());
+        Ok(Gpu { device, pipelines, slots, most_cells: AtomicUsize::new(usize::MAX) })
     }
 
     /// The compiled sweep for a number type and a variant; `compile` makes it the first time.

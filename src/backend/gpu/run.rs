@@ -1,5 +1,6 @@
 //! A sweep on a device.
 
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use super::BackendError;
@@ -13,6 +14,7 @@ use crate::backend::sink::{Sink, collected};
 use crate::cells::cell_list::CellList;
 use crate::cells::plan::Plan;
 use crate::cells::ready::Cells;
+use crate::model::excitation::Cell;
 use crate::model::isolation::Variant;
 use crate::model::precision::Precision;
 use crate::model::real::Real;
@@ -133,11 +135,19 @@ impl<'a> Sweeper<'a> {
     ) -> Result<DeviceRun<R>, BackendError> {
         let record = plan.record::<R>();
         let all = Cells::of(plan, grid, cells, &record, observer);
-        let tile = self.tile_size::<R>().min(cells.len().next_power_of_two());
+        let mut tile = self.tile_size::<R>().min(cells.len().next_power_of_two());
         let slots = self.gpu.slots(|slots| slots.suit::<R>(tile, self.events_kept));
         let mut slots = match slots {
             Some(slots) => slots,
-            None => self.gpu.checked(|| Slots::new::<R>(self.gpu, tile, self.events_kept))?,
+            None => loop {
+                match self.gpu.checked(|| Slots::new::<R>(self.gpu, tile, self.events_kept)) {
+                    Err(BackendError::OutOfMemory(_)) if tile > MOST_CELLS_SOFTWARE => {
+                        tile /= 2;
+                        self.gpu.most_cells.store(tile, Ordering::Relaxed);
+                    }
+                    made => break made?,
+                }
+            },
         };
         let scene = (&all, &record[..]);
         let tiles = Tiles::new(self.gpu, &self.pipelines, &mut slots, scene, tile, sink)?;
@@ -151,8 +161,10 @@ impl<'a> Sweeper<'a> {
     fn tile_size<R: Real>(&self) -> usize {
         let limits = self.gpu.device.limits();
         let bytes = limits.max_storage_buffer_binding_size.min(limits.max_buffer_size);
-        let cell = size_of::<State<R>>().max(self.events_kept * size_of::<Event<R>>());
+        let events = self.events_kept * size_of::<Event<R>>();
+        let cell = size_of::<State<R>>().max(size_of::<Cell<R>>()).max(events);
         let by_memory = usize::try_from(bytes).unwrap_or(usize::MAX) / (SIDES * cell);
-        self.most_cells.min(by_memory).max(1)
+        let found = self.gpu.most_cells.load(Ordering::Relaxed);
+        self.most_cells.min(by_memory).min(found).max(1)
     }
 }

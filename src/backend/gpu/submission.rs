@@ -49,6 +49,8 @@ pub struct Flight {
     pub number: u32,
     /// The turns of a cell in it.
     pub work: u32,
+    /// The most cells that ran in it.
+    pub running: usize,
     /// The number of cells made in it.
     pub begun: usize,
     /// The number of cells of each side that were copied.
@@ -111,6 +113,7 @@ pub fn submit(
         place,
         number: order.number.wrapping_add(order.dispatches),
         work: order.dispatches * order.work,
+        running: order.running,
         begun: order.begin.as_ref().map_or(0, |begin| begin.cells),
         copied: order.copied,
         submission,

@@ -156,7 +156,10 @@ impl<'a, R: Real> Tiles<'a, R> {
             _ => None,
         };
         let running = bound + begin.as_ref().map_or(0, |begin| begin.cells);
-        let (dispatches, work) = if running > 0 { self.slots.pace.dispatches() } else { (0, 0) };
+        let (dispatches, work) = match running {
+            0 => (0, 0),
+            cells => self.slots.pace.dispatches(cells),
+        };
         if copied == [0; SIDES] && dispatches == 0 {
             return Ok(false);
         }
@@ -222,7 +225,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             if self.running > 0 && (steps == 0 || self.all_steps > self.most_steps) {
                 return Err(BackendError::Unfinished(self.running));
             }
-            self.slots.pace.learn(flight.work, report.host, report.device);
+            self.slots.pace.learn(flight.work, flight.running, report.host, report.device);
         }
         Ok(())
     }

@@ -109,7 +109,8 @@ impl Work<'_> {
         let by_steps = plan(self.options, map.scene, None, place)?;
         let chosen = sample::sample(&map.grid, map, SAMPLE)?;
         let sample = (&chosen[..], Duration::MAX);
-        let verified = verification::verify(&by_steps, &map.grid, sample, interrupt::flag());
+        let of = (&by_steps, map.columns);
+        let verified = verification::verify(of, &map.grid, sample, interrupt::flag());
         verified.ok_or_else(|| of_figure(BackendError::Cancelled.into()))
     }
 

@@ -8,9 +8,9 @@ use topple::backend::gpu::run::Sweeper;
 use topple::backend::gpu::shader::{self, Switches};
 use topple::cells::clock::DEFAULT_STEP;
 use topple::cells::plan::Plan;
-use topple::model::asked::Asked;
 use topple::model::precision::Precision;
 use topple::model::real::Real;
+use topple::results::column_set::ColumnSet;
 use topple::scene::Grid;
 use topple::stepping::outcome::{Class, Outcome};
 use topple::sweep::sample::Chosen;
@@ -27,7 +27,7 @@ fn compared(grid: &Grid, outcomes: &[Outcome], judged: &[Outcome]) -> Verificati
         let chosen = Chosen { cell, beside_boundary: false, outcome };
         verification::Judged { chosen, reference, sensitive: false }
     };
-    compare(grid, Asked::ALL, outcomes.iter().zip(judged).enumerate().map(both))
+    compare(grid, ColumnSet::ALL, outcomes.iter().zip(judged).enumerate().map(both))
 }
 
 /// Median error of zeta that a map may have over its rocking cells. Seen: 2e-6 in f32 (rounding),

@@ -219,7 +219,8 @@ impl<'a> Runner<'a> {
         let spent = Duration::from_nanos(self.verifying.load(Ordering::Relaxed));
         let chosen = map.choose(sampled, &watch)?;
         let within = (&chosen[..], all.saturating_sub(spent));
-        let verification = verification::verify(&map.plan, &map.grid, within, &watch);
+        let verification =
+            verification::verify((&map.plan, map.method.columns), &map.grid, within, &watch);
         let verification = verification.ok_or(BackendError::Cancelled)?;
         let keys: Vec<&str> = map.grid.axes().iter().map(|axis| axis.key()).collect();
         motion.verified.add(&Verified::of(&wanted.id, &keys, &verification));
