@@ -6,6 +6,7 @@
 mod common;
 
 mod agreement;
+mod bisection;
 mod chart {
     mod fit;
     mod table;
