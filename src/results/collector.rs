@@ -21,8 +21,8 @@ use crate::model::precision::Precision;
 use crate::stepping::outcome::Outcome;
 use crate::work::threads::Threads;
 
-/// Least time between two savings of a run, and least time that a batch is to take, however often outcomes are to be saved.
-pub(crate) const SHORTEST: Duration = Duration::from_millis(500);
+/// Least time between two savings of a run, however often outcomes are to be saved.
+const PAUSE: Duration = Duration::from_millis(50);
 
 /// The number of complete chunks that may wait to leave memory.
 const BACKLOG: usize = 3;
@@ -248,7 +248,7 @@ impl<'a> OutcomeCollector<'a> {
             StoreError::File { path: saver.store.path().to_path_buf(), reason }
         })?;
         locked(&self.to_save).saving = true;
-        let patience = saver.patience.max(SHORTEST);
+        let patience = saver.patience.max(PAUSE);
         let mut saved = Instant::now();
         let save = || loop {
             let nothing = |to_save: &mut ToSave| to_save.complete.is_empty() && !to_save.ended;

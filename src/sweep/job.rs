@@ -26,7 +26,7 @@ use crate::model::precision::Precision;
 use crate::results::about::Source;
 use crate::results::block::bytes_a_cell;
 use crate::results::chunk::Fault;
-use crate::results::collector::{OutcomeCollector, SHORTEST, Saver};
+use crate::results::collector::{OutcomeCollector, Saver};
 use crate::results::outcomes::Outcomes;
 use crate::results::reader::missing;
 use crate::results::saved_chunks::SavedChunks;
@@ -78,6 +78,8 @@ const BATCH: Duration = Duration::from_secs(2);
 const SAMPLE_SLOWER: f64 = 4.0;
 /// Cells that a batch may have, however little memory is to be used.
 const LEAST: usize = 1 << 20;
+/// Least time that a batch is to take, however often outcomes are to be saved.
+const SHORTEST: Duration = Duration::from_millis(500);
 /// Cells of the first batch where no sample told how long they take: few, for they may take a second each.
 const UNKNOWN: usize = 1 << 5;
 

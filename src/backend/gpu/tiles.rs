@@ -25,6 +25,7 @@ use crate::backend::sink::Sink;
 use crate::cells::ready::Cells;
 use crate::model::excitation::Ground;
 use crate::model::real::Real;
+use crate::stepping::guards::{EVENT_BOUND, LOCATE_BOUND};
 use crate::work::observer::Observer;
 
 /// The tiles of a sweep.
@@ -56,6 +57,8 @@ pub struct Tiles<'a, R> {
     steps: u32,
     all_steps: u64,
     most_steps: u64,
+    /// The turns of a cell since the last step of any: a step takes a turn for each trial of a search, of each of its switches.
+    stalled: u32,
     results: DeviceRun<R>,
 }
 
@@ -100,6 +103,7 @@ impl<'a, R: Real> Tiles<'a, R> {
             steps: 0,
             all_steps: 0,
             most_steps: 0,
+            stalled: 0,
             results,
         })
     }
@@ -221,8 +225,10 @@ impl<'a, R: Real> Tiles<'a, R> {
             let steps = report.steps.wrapping_sub(self.steps);
             self.steps = report.steps;
             self.all_steps += u64::from(steps);
+            self.stalled = if steps == 0 { self.stalled.saturating_add(flight.work) } else { 0 };
             // The device makes no progress, or it loses the states that it writes.
-            if self.running > 0 && (steps == 0 || self.all_steps > self.most_steps) {
+            let stalls = self.stalled > EVENT_BOUND.saturating_mul(LOCATE_BOUND);
+            if self.running > 0 && (stalls || self.all_steps > self.most_steps) {
                 return Err(BackendError::Unfinished(self.running));
             }
             self.slots.pace.learn(flight.work, flight.running, report.host, report.device);
