@@ -86,7 +86,9 @@ impl<'a> Sink<'a> {
             let numbers: Vec<usize> = places.clone().map(|place| first + place).collect();
             let mut outcomes = Vec::with_capacity(AT_ONCE);
             of(places, &mut outcomes);
-            self.put(&numbers, &outcomes);
+            if !outcomes.is_empty() {
+                self.put(&numbers, &outcomes);
+            }
         });
     }
 }
@@ -105,6 +107,27 @@ mod tests {
     use std::time::Duration;
 
     use super::*;
+
+    /// Cells of a group that has no outcomes have not run, also those of a part; the others of their chunk have.
+    #[test]
+    fn a_group_without_outcomes_stays_pending() {
+        let cells = 3 * AT_ONCE;
+        let places: Vec<usize> = (0..cells).rev().collect();
+        let collector = OutcomeCollector::in_memory(cells, Precision::F32, ColumnSet::EVERY);
+        let sink = Sink { places: Some(&places), ..Sink::from(0, &collector) };
+        let ran = Outcome { status: Status::Ok, ..Outcome::PENDING };
+        let hand_over = |middle: bool| {
+            sink.fill(0..cells, |some, outcomes| {
+                if (some.start == AT_ONCE) == middle {
+                    outcomes.extend(some.map(|_| ran));
+                }
+            });
+        };
+        hand_over(false);
+        // Another device runs those that are left.
+        hand_over(true);
+        assert_eq!(collector.into_block().pending_in(0..cells), 0);
+    }
 
     /// Two devices hand over tiles at once, one of them the cells of a part: neither waits for the other for ever, and
     /// each cell comes to its place.

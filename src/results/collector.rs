@@ -170,13 +170,13 @@ impl<'a> OutcomeCollector<'a> {
                 .take_while(|cell| held.contains(cell))
                 .map(|cell| cell - held.start)
                 .collect();
-            let end = (from + places.len()).min(outcomes.len());
+            let end = from + places.len();
             self.change(number, |block| {
                 let new = block.pending_at(&places);
                 block.place(&places, &outcomes[from..end]);
                 new
             });
-            from += places.len();
+            from = end;
         }
     }
 
