@@ -79,11 +79,20 @@ use print::error_line;
 #[error("{0}")]
 pub struct InputError(pub String);
 
+/// The commit from which the program was built: of a release build in a checkout.
+const COMMIT: Option<&str> = option_env!("TOPPLE_COMMIT");
+
+/// The version, and the commit in brackets.
+fn version() -> String {
+    let commit = COMMIT.map(|commit| format!(" ({commit})")).unwrap_or_default();
+    format!("{}{commit}", env!("CARGO_PKG_VERSION"))
+}
+
 /// Overturning and rocking maps of rigid blocks on an isolated base.
 ///
 /// Without a command, runs the default scene into ./topple-out.
 #[derive(Parser)]
-#[command(name = "topple", version, args_conflicts_with_subcommands = true, after_help = examples::TOPPLE)]
+#[command(name = "topple", version = version(), args_conflicts_with_subcommands = true, after_help = examples::TOPPLE)]
 struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,

@@ -15,7 +15,7 @@ use topple_pictures::drawing::picture::Picture;
 use topple_studies::suites::saved;
 
 use super::words::{self, Reporter};
-use super::{InputError, date};
+use super::{COMMIT, InputError, date};
 
 fn refused(error: impl std::fmt::Display) -> InputError {
     InputError(format!("--out: {error}"))
@@ -169,6 +169,7 @@ impl Results {
         Manifest {
             kind: run.kind(),
             version: env!("CARGO_PKG_VERSION").into(),
+            commit: COMMIT.map(String::from),
             date: Some(date::now()),
             run,
             warnings: words::warnings(),

@@ -34,6 +34,9 @@ pub struct Manifest {
     pub kind: Kind,
     /// The version of the program that wrote it.
     pub version: String,
+    /// The commit from which this program was built, if that is known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub commit: Option<String>,
     /// When it was written, in UTC.
     pub date: Option<String>,
     /// What the run says.
@@ -80,6 +83,7 @@ pub struct CommandLine {
 struct Common {
     kind: Kind,
     version: String,
+    commit: Option<String>,
     date: Option<String>,
     #[serde(default)]
     warnings: Vec<String>,
@@ -92,7 +96,7 @@ impl Manifest {
     /// # Errors
     /// What is wrong with it.
     pub fn parse(text: &str) -> serde_json::Result<Manifest> {
-        let Common { kind, version, date, warnings, files } = serde_json::from_str(text)?;
+        let Common { kind, version, commit, date, warnings, files } = serde_json::from_str(text)?;
         let run = match kind {
             Kind::Map => Run::Map(serde_json::from_str(text)?),
             Kind::History => Run::History(serde_json::from_str(text)?),
@@ -102,7 +106,7 @@ impl Manifest {
             Kind::Fragility => Run::Fragility(serde_json::from_str(text)?),
             Kind::Comparison => Run::Comparison(serde_json::from_str(text)?),
         };
-        Ok(Manifest { kind, version, date, run, warnings, files })
+        Ok(Manifest { kind, version, commit, date, run, warnings, files })
     }
 
     /// Reads a file.

@@ -6,7 +6,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use sha2::{Digest, Sha256};
+use hmac_sha256::Hash;
 
 use super::settings::SuiteSettings;
 use super::swept_motion::SweptMotion;
@@ -107,7 +107,7 @@ pub(super) fn tag(
     let run = (env!("CARGO_PKG_VERSION"), backend.name(), adapter, settings.run.method, others);
     // Of its record the scene's text tells no samples.
     let text = serde_json::to_vec(&(run, scene)).map_err(io::Error::from)?;
-    let mut sum = Sha256::new();
+    let mut sum = Hash::new();
     sum.update(text);
     for numbers in [&wanted.factors[..], &wanted.pair.horizontal, &wanted.pair.vertical] {
         sum.update(numbers.len().to_le_bytes());
