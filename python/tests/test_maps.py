@@ -77,6 +77,24 @@ def test_an_opened_map_has_the_step_of_its_run(command, tmp_path, name):
     assert len(motions[0]["t"]) > 1000 and np.array_equal(motions[0]["u"].values, motions[1]["u"].values)
 
 
+def test_a_mat_file_holds_the_arrays_of_the_archive(command, tmp_path):
+    """MATLAB reads them with the first index as the fastest one."""
+    io = pytest.importorskip("scipy.io")
+    scene = PULSE | {"omega": "1:9:5", "a_h": "1:9:4"}
+    run = ["--refine", 1, "--files", "npz,mat", "--verify", "none", "--backend", "cpu"]
+    command("pulse", *flags(scene), *run, "--out", tmp_path)
+    for name in ("map", "leaves"):
+        archive = np.load(tmp_path / f"{name}.npz")
+        found = io.loadmat(tmp_path / f"{name}.mat", mat_dtype=False)
+        assert set(archive.files) == {key for key in found if not key.startswith("__")}
+        assert found.pop("about").item() == str(archive["about"])
+        for key in set(archive.files) - {"about"}:
+            expected = archive[key].T if archive[key].ndim == 2 else archive[key][:, None]
+            assert np.array_equal(found[key], expected, equal_nan=expected.dtype.kind == "f"), key
+            assert found[key].dtype.itemsize == expected.dtype.itemsize, key
+    assert io.loadmat(tmp_path / "map.mat")["zeta"].shape == (5, 4)
+
+
 def test_scene_file(command, records, tmp_path):
     scene = tmp_path / "scene.toml"
     command("pulse", *flags(PULSE), "--save-scene", scene)

@@ -82,7 +82,7 @@ struct Written {
 }
 
 /// Kinds of files that a run writes and the next may remove.
-const ENDINGS: [&str; 5] = ["csv", "npz", "png", "svg", "xml"];
+const ENDINGS: [&str; 6] = ["csv", "mat", "npz", "png", "svg", "xml"];
 /// The folders among them, and a file of each.
 const FOLDERS: ([&str; 2], &str) = ([own::MAP, own::LEAVES], zarr::DOCUMENT);
 

@@ -1,10 +1,11 @@
 //! Results as columns: what each column is, columns in memory and on disk, and their files.
 //!
 //! ```text
-//! cell_value, values, columns (the table), column_set -> block (in memory) -> chunking, chunk, zarr, chunk_files, group, store (on disk) -> csv, npz
+//! cell_value, values, columns (the table), column_set -> block (in memory) -> chunking, chunk, zarr, chunk_files, group, store (on disk) -> csv; arrays -> npz, mat
 //! ```
 
 pub mod about;
+mod arrays;
 pub mod block;
 mod busy;
 pub(crate) mod cell_value;
@@ -21,6 +22,7 @@ pub mod group;
 pub mod identity;
 pub mod listed;
 pub mod lock;
+pub mod mat;
 mod npy;
 pub mod npz;
 pub mod observed;

@@ -158,18 +158,43 @@ pub struct Outcome {
 /// By value; what is not known, and so not a number, is equal to itself.
 impl PartialEq for Outcome {
     fn eq(&self, other: &Outcome) -> bool {
-        let counts =
-            |of: &Outcome| (of.class, of.impacts, of.uplifts, of.t_uplift, of.status, of.stop_hits);
-        let numbers = |of: &Outcome| {
-            let angles = [of.zeta, of.max_phi_left, of.max_phi_right];
-            let motions = [of.t_end, of.t_simulated, of.max_u, of.max_v, of.stroke_v];
-            let forces = [of.min_contact, of.friction, of.base_load, of.stop_force];
-            let accelerations =
-                [of.acc_plate, of.acc_block, of.acc_plate_total, of.acc_block_total];
-            angles.into_iter().chain(motions).chain(forces).chain(accelerations)
+        // The compiler names a field that is missing here.
+        let values = |of: &Outcome| {
+            let Outcome {
+                class,
+                impacts,
+                uplifts,
+                t_end,
+                t_simulated,
+                t_uplift,
+                zeta,
+                max_phi_left,
+                max_phi_right,
+                max_u,
+                max_v,
+                stroke_v,
+                min_contact,
+                friction,
+                status,
+                acc_plate,
+                acc_block,
+                acc_plate_total,
+                acc_block_total,
+                base_load,
+                stop_force,
+                stop_hits,
+            } = *of;
+            let counts = (class, impacts, uplifts, t_uplift, status, stop_hits);
+            let angles = [zeta, max_phi_left, max_phi_right];
+            let motions = [t_end, t_simulated, max_u, max_v, stroke_v];
+            let forces = [min_contact, friction, base_load, stop_force];
+            let accelerations = [acc_plate, acc_block, acc_plate_total, acc_block_total];
+            let numbers = angles.into_iter().chain(motions).chain(forces).chain(accelerations);
+            (counts, numbers)
         };
         let same = |(one, other): (f64, f64)| one == other || (one.is_nan() && other.is_nan());
-        counts(self) == counts(other) && numbers(self).zip(numbers(other)).all(same)
+        let ((counts, numbers), (other_counts, other_numbers)) = (values(self), values(other));
+        counts == other_counts && numbers.zip(other_numbers).all(same)
     }
 }
 

@@ -22,7 +22,7 @@ pub fn of_files(sizes: &FileSizes, files: &[MapFile]) -> f64 {
 pub fn of_file(sizes: &FileSizes, file: MapFile) -> f64 {
     match file {
         MapFile::Csv => sizes.table,
-        MapFile::Npz => sizes.archive,
+        MapFile::Npz | MapFile::Mat => sizes.archive,
         MapFile::Zarr => sizes.chunks,
     }
 }

@@ -1,9 +1,12 @@
 //! Files of a map.
 
-use topple::results::own;
+use clap::ValueEnum;
+use topple::results::{mat, own};
+
+use super::InputError;
 
 /// A file that holds a whole map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum MapFile {
     /// map.csv: one row per cell.
     Csv,
@@ -11,6 +14,8 @@ pub enum MapFile {
     Npz,
     /// map.zarr: arrays in chunks, for xarray and dask.
     Zarr,
+    /// map.mat: arrays for MATLAB and Octave.
+    Mat,
 }
 
 impl MapFile {
@@ -20,13 +25,28 @@ impl MapFile {
             MapFile::Csv => "map.csv",
             MapFile::Npz => "map.npz",
             MapFile::Zarr => own::MAP,
+            MapFile::Mat => "map.mat",
         }
     }
 
     /// Those among names of files.
     pub fn among(names: &[String]) -> Vec<MapFile> {
-        let all = [MapFile::Csv, MapFile::Npz, MapFile::Zarr].into_iter();
-        all.filter(|file| names.iter().any(|name| name == file.name())).collect()
+        let is_there = |file: &&MapFile| names.iter().any(|name| name == file.name());
+        MapFile::value_variants().iter().filter(is_there).copied().collect()
+    }
+
+    /// Refuses files that cannot hold a map of a given number of cells.
+    pub fn check(files: &[MapFile], cells: usize) -> Result<(), InputError> {
+        // Numbers have eight bytes at most.
+        let most = mat::LARGEST / 8;
+        if files.contains(&MapFile::Mat) && cells as u64 > most {
+            let problem = format!(
+                "--files mat: a MAT-file holds {most} cells at most, and the map has {cells}; \
+                 use `--files zarr`"
+            );
+            return Err(InputError(problem));
+        }
+        Ok(())
     }
 
     /// Those of a map of a given number of cells, unless others are requested.

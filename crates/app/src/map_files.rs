@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use topple::results::column_set::ColumnSet;
 use topple::results::files::Directory;
 use topple::results::observed::ObservedOutcomes;
-use topple::results::{csv, npz};
+use topple::results::{csv, mat, npz};
 use topple::scene::{Grid, Scene};
 use topple::sweep::map::MapSweep;
 use topple::work::observer::{Observer, Phase};
@@ -117,7 +117,9 @@ pub fn tables(
     let (rows, arrays) = rayon::join(
         || -> anyhow::Result<()> {
             if files.contains(&MapFile::Csv) {
-                out.write("map.csv", |w| csv::write(grid, &outcomes, map.method.columns, w))?;
+                out.write(MapFile::Csv.name(), |w| {
+                    csv::write(grid, &outcomes, map.method.columns, w)
+                })?;
             }
             if let [whole] = slices
                 && has_boundaries(&map.plan.scene, grid)
@@ -128,7 +130,12 @@ pub fn tables(
         },
         || -> anyhow::Result<()> {
             if files.contains(&MapFile::Npz) {
-                out.write("map.npz", |w| npz::write(grid, &outcomes, map.source(), w))?;
+                let name = MapFile::Npz.name();
+                out.write(name, |w| npz::write(grid, &outcomes, map.source(), w))?;
+            }
+            if files.contains(&MapFile::Mat) {
+                let name = MapFile::Mat.name();
+                out.write(name, |w| mat::write(grid, &outcomes, map.source(), w))?;
             }
             Ok(())
         },

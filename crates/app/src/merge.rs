@@ -70,6 +70,7 @@ impl MergeCommand {
             true => &MapFile::of(grid.len()),
             false => &self.files,
         };
+        MapFile::check(files, grid.len())?;
         self.parts.check(&shards.content.scene)?;
         let content = (&shards.content.scene, grid, shards.content.method.columns);
         let names = map_files::places(content, files, &self.parts);

@@ -3,7 +3,7 @@
 use topple::refine::refined::RefinedMap;
 use topple::results::files::Directory;
 use topple::results::own::LEAVES;
-use topple::results::{csv, group, npz};
+use topple::results::{csv, group, mat, npz};
 use topple_pictures::colours::print_palette::Palette;
 use topple_pictures::map::refined::{write_png, write_svg};
 
@@ -18,6 +18,7 @@ fn leaves(file: MapFile) -> &'static [&'static str] {
         MapFile::Csv => &["leaves.csv"],
         MapFile::Npz => &["leaves.npz"],
         MapFile::Zarr => &["leaves.npz", LEAVES],
+        MapFile::Mat => &["leaves.mat"],
     }
 }
 
@@ -44,6 +45,7 @@ pub fn write(
                     out.write(name, |w| csv::write(listed, outcomes, source.columns, w))?
                 }
                 "leaves.npz" => out.write(name, |w| npz::write(listed, outcomes, source, w))?,
+                "leaves.mat" => out.write(name, |w| mat::write(listed, outcomes, source, w))?,
                 LEAVES => group::write_list(out, name, (listed, outcomes), source)?,
                 "refined.png" => out.write(name, |w| write_png(map, palette, w))?,
                 "refined.svg" => out.write(name, |w| write_svg(map, palette, w))?,

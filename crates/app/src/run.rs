@@ -14,6 +14,7 @@ use topple::sweep::map::MapSweep;
 
 use super::errors::sweep_error;
 use super::finish::{self, Finish};
+use super::map_file::MapFile;
 use super::options::{MapOptions, MapParts, Verify};
 use super::progress::Screen;
 use super::results_directory::Place;
@@ -128,7 +129,9 @@ pub fn place(scene: &Scene, options: &MapOptions) -> Result<Place, InputError> {
         _ => {
             let grid = Grid::of(scene);
             let content = (scene, &grid, options.method().columns);
-            map_files::places(content, &options.files(&grid), &options.parts)
+            let files = options.files(&grid);
+            MapFile::check(&files, grid.len())?;
+            map_files::places(content, &files, &options.parts)
         }
     };
     if options.tile.is_none() {

@@ -56,6 +56,29 @@ fn files_have_the_columns_that_are_asked_for_and_no_others() {
     same(&room, ["again", "whole"], "max_u");
 }
 
+/// `python/tests/test_maps.py` reads the arrays.
+#[test]
+fn a_mat_file_holds_as_many_cells_as_matlab_reads() {
+    let room = Room::new();
+    room.run(&format!("{PULSE} --verify none --files mat --out ./out"));
+    let bytes = std::fs::read(room.at("out/map.mat")).unwrap();
+    assert!(bytes.starts_with(b"MATLAB 5.0 MAT-file"));
+    // The head has 128 bytes, and every variable tells how many follow.
+    let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
+    let (mut at, mut variables) = (128, 0);
+    while at < bytes.len() {
+        assert_eq!(word(at), 15, "variable {variables} is compressed");
+        at += 8 + word(at + 4);
+        variables += 1;
+    }
+    assert!(at == bytes.len() && variables > 10, "{variables} variables, {at} bytes");
+    // It is a file of a run: the next one replaces it.
+    room.run(&format!("{PULSE} --verify none --files csv --out ./out"));
+    assert!(!room.has("out/map.mat"));
+    let large = "pulse --object 1 --t-h 1.75 --t-v 0.75 --omega 1:9:20000 --a-h 1:9:20000";
+    room.refuses(&format!("{large} --files mat --out ./large"), &["--files mat", "`--files zarr`"]);
+}
+
 #[test]
 fn a_map_without_a_column_has_no_picture_of_it() {
     let room = Room::new();
