@@ -127,6 +127,10 @@ pub struct Verification {
 /// next to no speed (plates without mass), a block chatters for seconds, and each tenth of this speed has ten
 /// times as many impacts. Outcomes do not depend on it (`tests/engine/reference.rs`).
 const REST_SPEED: f64 = 1.0e-4;
+/// Longest step during the excitation, s: two and a half times the reference's own. The error of a step allows it, a sixteenth of
+/// the shortest period of base and pulse bounds it, too, and under a record a step ends at each sample. Outcomes do not depend on
+/// it (`tests/engine/reference.rs`).
+const LONGEST: f64 = 0.025;
 /// Longest step after the excitation, s: five times the reference's own. Half of the cells that a sample runs again never
 /// overturn, and swing for most of their time, where what the step errs by would allow such steps. A sixteenth of the
 /// base's shortest period bounds it, too, and outcomes do not depend on it (`tests/engine/reference.rs`).
@@ -189,6 +193,7 @@ pub fn verify(
 fn judge(plan: &Plan, case: &Case, chosen: Chosen, go_on: &dyn Fn() -> bool) -> Option<Judged> {
     let settings = Settings {
         rest_speed: REST_SPEED,
+        longest: LONGEST,
         longest_free: LONGEST_FREE,
         ends_decided: true,
         ..Settings::default()

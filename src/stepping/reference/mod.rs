@@ -36,7 +36,7 @@ pub struct Settings {
     /// Relative tolerance of a step; the absolute one is a tenth to a hundredth of it.
     pub tolerance: f64,
     /// Longest step, s: a pair of switches within a step is looked for at a quarter of it. A
-    /// sixteenth of the base's shortest period bounds it too.
+    /// sixteenth of the base's shortest period bounds it too, and one of the pulse's.
     pub longest: f64,
     /// The same where nothing shakes the ground: nothing there is faster than the base.
     pub longest_free: f64,

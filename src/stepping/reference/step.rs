@@ -35,10 +35,12 @@ impl Stepper {
     pub fn new(settings: &Settings, case: &Case) -> Stepper {
         // The limit is a sixteenth of the shortest period, so that an uplift at its crest is not missed.
         let base = &case.isolation;
+        let pulse = case.shaking.pulse().map(|pulse| pulse.shortest_period());
         let periods = [base.horizontal.map(|law| law.t_h), base.vertical.map(|law| law.t_v)];
         let bound = |longest: f64, period: f64| longest.min(period / 16.0);
-        let longest = [settings.longest, settings.longest_free]
+        let [driven, free] = [settings.longest, settings.longest_free]
             .map(|longest| periods.into_iter().flatten().fold(longest, bound));
+        let longest = [pulse.into_iter().fold(driven, bound), free];
         Stepper { next: 0.1 * longest[0], longest }
     }
 

@@ -119,7 +119,7 @@ impl Paper {
         }
         let (wide, high) = (width as f32, height as f32);
         let Some(area) = Rect::from_xywh(0.0, 0.0, wide, high) else { return Ok(()) };
-        let quality = if sharp { FilterQuality::Nearest } else { FilterQuality::Bicubic };
+        let quality = if sharp { FilterQuality::Nearest } else { FilterQuality::Bilinear };
         let whole = Transform::identity();
         let ink = Ink {
             shader: Pattern::new(pixels.as_ref(), SpreadMode::Pad, quality, 1.0, whole),
