@@ -22,8 +22,6 @@ pub struct Print<'a> {
     font_size: Option<f64>,
     /// The colours.
     pub palette: Palette,
-    /// Letters are outlines, which need no font.
-    pub outlines: bool,
 }
 
 /// What cannot be printed.
@@ -72,6 +70,6 @@ impl Print<'_> {
     pub fn canvas(self, usual: f64) -> Canvas {
         let width = self.width.map_or(usual, |width| width * MILLIMETRE);
         let scale = self.font_size.map_or(1.0, |size| size / FONT);
-        Canvas::printed(width, scale, self.palette, self.outlines)
+        Canvas::printed(width, scale, self.palette)
     }
 }
