@@ -20,7 +20,7 @@ use topple::stepping::outcome::Class;
 use topple_pictures::colours::Colour;
 use topple_pictures::colours::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, OUTLINE, dots};
 use topple_pictures::colours::ramp::{GREYS, PROBABILITY};
-use topple_pictures::map::figure::fields::{CONTACT, FIELDS};
+use topple_pictures::map::figure::fields;
 
 /// A colour as a page writes it.
 fn hex([r, g, b]: Colour) -> String {
@@ -135,12 +135,6 @@ fn codes() -> Value {
     })
 }
 
-/// The columns of which a small value is dark.
-fn falls() -> Vec<&'static str> {
-    let falls = FIELDS.iter().chain(&CONTACT).filter(|field| field.falls);
-    falls.map(|field| field.column.entry().name).collect()
-}
-
 /// All that does not depend on a session.
 pub fn tables() -> Value {
     let sections = Section::ALL
@@ -164,7 +158,7 @@ pub fn tables() -> Value {
             "outline": hex(OUTLINE),
             "now": hex(CURVES[1]),
             "greys": GREYS,
-            "falls": falls(),
+            "falls": fields::falling(),
             "probability": PROBABILITY,
         },
         "limits": { "cells": MOST },

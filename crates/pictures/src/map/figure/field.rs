@@ -172,7 +172,7 @@ pub fn paint(
     let colour = |cell: &Outcome| -> Colour {
         match cell.class {
             Class::Unresolved => WHITE,
-            _ if Field::counts(cell) => [greys.shade((field.value)(cell)); 3],
+            _ if Field::counts(cell) => [greys.shade(field.value(cell)); 3],
             _ => palette.of(FALLEN),
         }
     };
@@ -188,7 +188,7 @@ pub fn paint(
     };
     let rings = islands(map, place, |cell| (cell.class.overturned(), Field::counts(cell)));
     shown.rings = !rings.is_empty();
-    let value = |cell: &Outcome| Field::counts(cell).then(|| (field.value)(cell));
+    let value = |cell: &Outcome| Field::counts(cell).then(|| field.value(cell));
     let values = greys.levels();
     let on_page = |line: &[Point]| {
         let points: Vec<Point> = line.iter().map(|point| frame.at(*point)).collect();

@@ -113,7 +113,7 @@ fn index(canvas: &mut Canvas, map: &Map, place: Place) -> Vec<Entry> {
             let row = spread(number, count, rows);
             let cells = &map.outcomes[row * columns..(row + 1) * columns];
             let point = |(column, cell)| {
-                let at = (x_axis.values.coordinate(column as f64), (field.value)(cell));
+                let at = (x_axis.values.coordinate(column as f64), field.value(cell));
                 Field::counts(cell).then(|| frame.at(at))
             };
             let points: Vec<Option<Point>> = cells.iter().enumerate().map(point).collect();
