@@ -4,7 +4,6 @@ use serde_json::{Value, json};
 
 use super::first::first;
 use super::frame::type_of;
-use super::ranges::handy;
 use super::session::Session;
 use super::shown::shown;
 use super::stages::MOST;
@@ -111,11 +110,12 @@ fn kinds() -> Vec<Value> {
     told.collect()
 }
 
-/// The table of parameters, each with the range of its slider.
+/// The table of parameters, each with the range of its slider and its group.
 fn parameters() -> Vec<Value> {
     let with_range = |(entry, described): (&Entry, Description)| {
         let mut told = json!(described);
-        told["handy"] = json!(handy(entry.parameter));
+        told["handy"] = json!(entry.slider);
+        told["group"] = json!(entry.group);
         told
     };
     PARAMETERS.iter().zip(description::parameters()).map(with_range).collect()
