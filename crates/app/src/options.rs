@@ -194,17 +194,11 @@ impl RunOptions {
     }
 
     /// Sets the number of threads that work on the CPU. Call it before any does.
-    ///
-    /// # Errors
-    /// More threads than the system gives.
     pub fn set_threads(&self) -> Result<(), InputError> {
         set_threads(self.threads)
     }
 
     /// The plan of a scene.
-    ///
-    /// # Errors
-    /// Those of [`Method::plan`].
     pub fn plan(&self, scene: &Scene) -> Result<Plan, SceneError> {
         self.check_step()?;
         self.method().plan(scene)
@@ -252,9 +246,6 @@ impl RunOptions {
     }
 
     /// Opens what to compute on: one backend, or as many as there are GPUs; all alike.
-    ///
-    /// # Errors
-    /// Those of [`BackendRequest::open`].
     pub fn open_backends(&self) -> anyhow::Result<Vec<Backend>> {
         let opened = self.backend().open(self.precision(), &self.adapter);
         let OpenBackends { backends, passed_over } = opened.map_err(|e| sweep_error(e.into()))?;
@@ -272,9 +263,6 @@ impl RunOptions {
 }
 
 /// Sets the number of threads, where one was given.
-///
-/// # Errors
-/// More threads than the system gives.
 pub fn set_threads(threads: Option<NonZeroUsize>) -> Result<(), InputError> {
     let Some(count) = threads else { return Ok(()) };
     if let Some(problem) = too_many(count) {
@@ -344,9 +332,6 @@ impl MapOptions {
     }
 
     /// Refuses what is wrong with a scene before anything is made.
-    ///
-    /// # Errors
-    /// Those of the plan, and of the numbers that are not known.
     pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
         self.run.pictures.print().map_err(InputError)?;
         if self.tile.is_some() && !self.run.pictures.record().is_plain() {

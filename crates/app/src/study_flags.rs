@@ -245,9 +245,6 @@ impl HazardFlags {
     }
 
     /// Reads it, over a measure.
-    ///
-    /// # Errors
-    /// What is wrong with the file, and what to do.
     pub fn read(
         &self,
         im: Intensity,

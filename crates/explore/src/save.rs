@@ -51,9 +51,6 @@ pub struct SaveRequest {
 }
 
 /// The bytes of a file, and what a browser calls it.
-///
-/// # Errors
-/// The first key at fault; that it was ended.
 pub fn run(
     session: &Session,
     request: &SaveRequest,

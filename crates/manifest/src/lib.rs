@@ -88,9 +88,6 @@ struct Common {
 
 impl Manifest {
     /// Reads the text of a run.json.
-    ///
-    /// # Errors
-    /// What is wrong with it.
     pub fn parse(text: &str) -> serde_json::Result<Manifest> {
         let Common { kind, version, date, warnings, files } = serde_json::from_str(text)?;
         let run = match kind {

@@ -80,9 +80,6 @@ pub fn question(folder: &Folder) -> String {
 }
 
 /// The pictures and tables of a run, each with what it means.
-///
-/// # Errors
-/// [`ReportError`]: a file that cannot be read.
 pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
     let mut pieces = match folder.run() {
         Run::Map(run) => outcomes(run),
@@ -205,9 +202,6 @@ pub fn motion(run: &HistoryRun) -> String {
 }
 
 /// The motions of a suite: the rows of its table that have numbers. The others are lines without a motion.
-///
-/// # Errors
-/// [`ReportError::File`]: a table that cannot be read.
 pub fn motions(folder: &Folder) -> Result<Rows, ReportError> {
     let mut rows = folder.table("suite.csv")?.unwrap_or_default();
     rows.retain(|row| value(row, "pga_h").is_some());
@@ -279,9 +273,6 @@ pub fn kept(folder: &Folder, run: &StudyRun<Envelope>) -> String {
 }
 
 /// The best base of an envelope, by its place on the axes, with its strokes and its reserve; none where no base keeps its limits.
-///
-/// # Errors
-/// [`ReportError::File`]: a table that cannot be read.
 pub fn best(folder: &Folder, run: &StudyRun<Envelope>) -> Result<Option<String>, ReportError> {
     let rows = folder.table("envelope.csv")?.unwrap_or_default();
     let Some(row) = run.own.best_cell.and_then(|cell| rows.get(cell)) else { return Ok(None) };

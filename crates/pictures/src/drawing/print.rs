@@ -47,9 +47,6 @@ pub enum PrintError {
 
 impl Print<'_> {
     /// Pictures of a width, mm, with letters of a size, points; the defaults where none is given.
-    ///
-    /// # Errors
-    /// Any [`PrintError`].
     pub fn new(width: Option<f64>, font_size: Option<f64>) -> Result<Print<'static>, PrintError> {
         let outside = |value: &f64, [low, high]: [f64; 2]| !(low..=high).contains(value);
         if let Some(width) = width.filter(|width| outside(width, WIDTHS)) {

@@ -32,9 +32,6 @@ const MARKED: usize = 60;
 const SHOWN: [&Field; 3] = [&FIELDS[0], &FIELDS[1], &FIELDS[3]];
 
 /// Draws the curves along the axis of a map's cells.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn draw(map: &Map, axis: &grid::Axis, print: Print) -> Result<Picture, FigureError> {
     let mut canvas = print.canvas(COLUMN);
     let wide = canvas.inner();

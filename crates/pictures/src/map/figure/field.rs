@@ -100,9 +100,6 @@ impl Shown {
 }
 
 /// Draws a field; `at` tells what the map is a slice at.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn draw(map: &Map, field: &Field, at: &str, print: Print) -> Result<Picture, FigureError> {
     let title =
         titled(&format!("{}: {}", print.title.unwrap_or(&map.scene.title), field.title), at);
@@ -110,9 +107,6 @@ pub fn draw(map: &Map, field: &Field, at: &str, print: Print) -> Result<Picture,
 }
 
 /// Draws fields of a map beside each other, with one legend.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn beside(
     map: &Map,
     fields: &[&Field],
@@ -158,9 +152,6 @@ pub fn beside(
 }
 
 /// Draws the cells of a map in the greys of a scale, its lines, and what lies over them.
-///
-/// # Errors
-/// [`FigureError::Encode`].
 pub fn paint(
     canvas: &mut Canvas,
     map: &Map,

@@ -71,9 +71,6 @@ impl Greys {
     }
 
     /// Draws the scale with its numbers and its name below; returns where it ends.
-    ///
-    /// # Errors
-    /// [`FigureError::Encode`].
     pub fn draw(
         &self,
         canvas: &mut Canvas,

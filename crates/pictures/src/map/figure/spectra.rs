@@ -43,9 +43,6 @@ fn line_of(number: usize) -> Stroke {
 }
 
 /// Draws the spectra of a map; none of a map that has not two axes.
-///
-/// # Errors
-/// [`FigureError`].
 pub fn draw(map: &Map, print: Print) -> Result<Option<Picture>, FigureError> {
     let (Some(spectrum), Some(y_axis)) = (Spectrum::of(map), map.grid.y()) else { return Ok(None) };
     let x_axis = map.grid.x();
