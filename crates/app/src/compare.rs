@@ -169,7 +169,7 @@ impl StudyFlags for CompareFlags {
         Self::Record {
             list: Some(PathText(self.devices.clone())),
             devices: named.map(of).collect(),
-            limits: self.limits.record(),
+            limits: self.limits.limits(),
             scales: settings.scales.clone(),
             columns: names(&settings.columns),
             drawn: self.intervals.record(Some((&settings.groups, &settings.bootstrap))),

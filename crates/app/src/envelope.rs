@@ -112,7 +112,7 @@ impl StudyFlags for EnvelopeFlags {
         let best = envelope.best();
         let intervals = envelope.settings.intervals.as_ref();
         Self::Record {
-            limits: self.limits.record(),
+            limits: self.limits.limits(),
             best: self.best,
             feasible: best.len(),
             best_cell: best.first().copied(),

@@ -161,15 +161,9 @@ pub struct LimitFlags {
 }
 
 impl LimitFlags {
-    /// As they are requested.
+    /// As they are requested, and as run.json has them.
     pub fn limits(&self) -> Limits {
         Limits { standing: self.standing, u: self.limit_u, v: self.limit_v }
-    }
-
-    /// What run.json says of them.
-    pub fn record(&self) -> topple_manifest::Limits {
-        let standing = Some(self.standing);
-        topple_manifest::Limits { standing, limit_u: self.limit_u, limit_v: self.limit_v }
     }
 }
 

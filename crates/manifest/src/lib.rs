@@ -23,7 +23,7 @@ pub use map::{
 };
 pub use pictures::Pictures;
 pub use study::{
-    Comparison, DeviceRun, Drawn, Envelope, Fragility, Limits, Site, Study, StudyRun, Unknown,
+    Comparison, DeviceRun, Drawn, Envelope, Fragility, Site, Study, StudyRun, Unknown,
 };
 pub use suite::{Source, Sources, SuiteRun};
 

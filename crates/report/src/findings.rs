@@ -7,12 +7,12 @@ use topple::results::earlier::Kind;
 use topple::scene::words;
 use topple::stepping::outcome::Class;
 use topple_manifest::{
-    Comparison, Envelope, HistoryRun, Limits, MapRun, Motion, MotionRead, ProbabilityRun, Run,
-    StudyRun, SuiteRun,
+    Comparison, Envelope, HistoryRun, MapRun, Motion, MotionRead, ProbabilityRun, Run, StudyRun,
+    SuiteRun,
 };
 use topple_pictures::drawing::share::{given, percent};
-use topple_studies::Best;
 use topple_studies::uncertain::Varied;
+use topple_studies::{Best, Limits};
 
 use super::document::Piece;
 use super::folder::{Folder, ReportError, Row, Rows};
@@ -240,17 +240,15 @@ fn suite(folder: &Folder, run: &SuiteRun) -> Result<Vec<Piece>, ReportError> {
 
 /// What a base must keep, in a sentence.
 pub fn limits(folder: &Folder, of: &Limits) -> String {
-    let share = of.standing.unwrap_or(1.0);
-    let mut text = match share {
+    let mut text = match of.standing {
         1.0 => "Limits: the block stands under all motions".to_string(),
         share => {
             format!("Limits: the block stands under at least {} of the motions", given(share))
         }
     };
-    for (limit, what) in [
-        (of.limit_u, "the base moves horizontally by at most"),
-        (of.limit_v, "its vertical stroke is at most"),
-    ] {
+    for (limit, what) in
+        [(of.u, "the base moves horizontally by at most"), (of.v, "its vertical stroke is at most")]
+    {
         if let Some(limit) = limit {
             text += &format!("; {what} {limit} m");
         }
