@@ -132,8 +132,8 @@ pub struct MapOptions {
     /// Continue an interrupted run in the same directory
     #[arg(long)]
     pub resume: bool,
-    /// Shortest time between two savings of finished cells for --resume, s
-    #[arg(long, value_name = "S", default_value = "2", value_parser = seconds, allow_negative_numbers = true)]
+    /// Shortest time between two savings of finished cells for --resume, s: for tests of runs that are killed, and for measurements
+    #[arg(long, hide = true, value_name = "S", default_value = "2", value_parser = seconds, allow_negative_numbers = true)]
     pub keep_every: Duration,
     /// Run only the k-th of n shards and keep it in the directory for topple merge
     #[arg(long, value_name = "K/N", conflicts_with_all = ["verify", "files"])]
