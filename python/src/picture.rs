@@ -12,7 +12,7 @@ use topple_pictures::colours::palette::{
 use topple_pictures::colours::print_palette::{Palette, Texture};
 use topple_pictures::colours::ramp;
 use topple_pictures::drawing::print::{Print, PrintError};
-use topple_pictures::map::figure::fields::{CONTACT, FIELDS};
+use topple_pictures::map::figure::fields;
 
 use crate::errors::of_keyword;
 
@@ -38,15 +38,13 @@ pub fn palette(name: &str) -> PyResult<String> {
     });
     let entries = kinds.collect::<Vec<_>>();
     let greys = (0..=255_u8).map(|k| [ramp::grey(f64::from(k) / 255.0); 3]);
-    let falls = FIELDS.iter().chain(&CONTACT).filter(|field| field.falls);
-    let falls = falls.map(|field| field.column.entry().name);
     let told = json!({
         "kinds": entries,
         "dotted": DOTTED,
         "marked": palette.of(MARKED),
         "fallen": palette.of(FALLEN),
         "greys": greys.collect::<Vec<_>>(),
-        "falls": falls.collect::<Vec<_>>(),
+        "falls": fields::falling(),
         "curves": CURVES.map(|colour| palette.of(colour)),
         "rocks": palette.of(ROCKS),
     });

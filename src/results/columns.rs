@@ -19,7 +19,7 @@ pub struct Entry {
     /// What it holds.
     pub kind: ColumnKind,
     /// The value of a cell in it as a number.
-    number: fn(&Outcome) -> f64,
+    pub number: fn(&Outcome) -> f64,
     /// Puts the values of outcomes in slots, each at its place.
     pub(super) put: fn(&mut Slots, &[usize], &[Outcome]),
     /// Sets the values of outcomes from those of the column from a place on.

@@ -1,6 +1,7 @@
 //! Every number that a scene has, defined once: flags, TOML keys, help, captions, axes, columns and
 //! docs/parameters.md are made of this table.
 
+use std::f64::consts::PI;
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
@@ -9,96 +10,6 @@ use super::applies::{Applies, BlockBy, Choice, ShakenBy};
 use super::directions::{Directions, MOVES_H, MOVES_V};
 use super::record::LARGEST_PEAK;
 use crate::model::pulse::Shape;
-
-/// A number of a scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Parameter {
-    /// B.
-    HalfWidth,
-    /// H.
-    Height,
-    /// lambda = H/B.
-    Slenderness,
-    /// R.
-    Size,
-    /// M.
-    Mass,
-    /// J_C.
-    Inertia,
-    /// epsilon.
-    Eccentricity,
-    /// e.
-    Offset,
-    /// m_h.
-    PlateH,
-    /// m_v.
-    PlateV,
-    /// T_h.
-    TH,
-    /// T_v.
-    TV,
-    /// psi.
-    Psi,
-    /// xi_h.
-    XiH,
-    /// xi_v.
-    XiV,
-    /// alpha_y.
-    AlphaY,
-    /// u_y.
-    UY,
-    /// The force at which the base yields.
-    YieldForce,
-    /// n.
-    BoucWenN,
-    /// k_1.
-    K1,
-    /// k_2.
-    K2,
-    /// Q_d.
-    Qd,
-    /// Radius of a friction pendulum.
-    Radius,
-    /// Its friction coefficient.
-    Mu,
-    /// d.
-    StopGap,
-    /// k_s.
-    StopStiffness,
-    /// xi_s.
-    StopXi,
-    /// v_c.
-    VHardening,
-    /// The base's static deflection.
-    StaticDeflection,
-    /// Omega.
-    Omega,
-    /// A_h.
-    AH,
-    /// A_v.
-    AV,
-    /// Cycles of a pulse.
-    Cycles,
-    /// gamma.
-    Gamma,
-    /// nu.
-    Phase,
-    /// Factor on a record.
-    Scale,
-    /// A record's horizontal peak.
-    Pga,
-    /// Simulated time.
-    TMax,
-    /// phi at the start.
-    Tilt,
-    /// Friction coefficient.
-    Friction,
-    /// Restitution.
-    Restitution,
-    /// Times the law's restitution.
-    RestitutionFactor,
-}
 
 /// What a number belongs to: a table of a scene file, a heading of the help.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -253,6 +164,21 @@ pub struct Entry {
     pub caption: Caption,
     /// The choices of a scene beside which it means something.
     pub applies: Applies,
+    /// The range of its slider on the page.
+    pub slider: Slider,
+    /// The group of numbers that few scenes have in which the page shows it; empty for none.
+    pub group: &'static str,
+}
+
+/// The range of a slider, and of a new axis: of use for most blocks. Fields take any number.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Slider {
+    /// Its first place.
+    pub low: f64,
+    /// Its last place.
+    pub high: f64,
+    /// Places lie evenly by the logarithm, or by the value.
+    pub log: bool,
 }
 
 /// When a caption shows a number.
@@ -268,18 +194,16 @@ pub enum Caption {
 
 const ANY: (f64, f64) = (0.0, f64::INFINITY);
 
-/// An entry of which nothing is questioned.
+/// A number of which nothing else is said.
 const fn entry(
     parameter: Parameter,
     (key, symbol, unit): (&'static str, &'static str, &'static str),
-    section: Section,
-    legal: Legal,
+    (section, legal, slider): (Section, Legal, Slider),
     meaning: &'static str,
-    default: &'static str,
-    source: &'static str,
+    (default, source): (&'static str, &'static str),
 ) -> Entry {
     let (plausible, perhaps, caption) = (ANY, "", Caption::Unusual);
-    let applies = section.applies();
+    let (applies, group) = (section.applies(), "");
     Entry {
         parameter,
         key,
@@ -294,7 +218,19 @@ const fn entry(
         source,
         caption,
         applies,
+        slider,
+        group,
     }
+}
+
+/// A slider whose places lie evenly by the value.
+const fn even(low: f64, high: f64) -> Slider {
+    Slider { low, high, log: false }
+}
+
+/// One whose places lie evenly by the logarithm.
+const fn log(low: f64, high: f64) -> Slider {
+    Slider { low, high, log: true }
 }
 
 impl Entry {
@@ -323,6 +259,11 @@ impl Entry {
         Entry { applies: Applies { isolation, ..self.applies }, ..self }
     }
 
+    /// The same, in a group of the page.
+    const fn within(self, group: &'static str) -> Entry {
+        Entry { group, ..self }
+    }
+
     /// The same, of pulses of some shapes.
     const fn shaped(self, shape: &'static [Shape]) -> Entry {
         Entry { applies: Applies { shape, ..self.applies }, ..self }
@@ -333,137 +274,167 @@ use Legal::{AboveUpTo, Finite, InBase, NotNegative, NotZero, Positive, Whole, Wi
 use Parameter as P;
 use Section::{Base, Block, Pulse, Record, Run};
 
-/// The table, in the order of [`Parameter`].
-#[rustfmt::skip]
-pub const PARAMETERS: [Entry; Parameter::COUNT] = [
-    entry(P::HalfWidth, ("half_width", "B", "m"), Block, Positive,
+/// Makes the enum of a scene's numbers and their table. A row has the name of a number in Rust, its key, its symbol and its unit; its section, the
+/// values that make sense, the range of its slider; what it means, its default in words, where it is defined; and what else is said of it.
+macro_rules! parameters {
+    ($(
+        $parameter:ident = $key:literal, $symbol:literal, $unit:literal: $section:expr, $legal:expr, $slider:expr,
+        $meaning:literal, $default:literal, $source:literal $(=> $($more:ident($($with:expr),*)).+)?;
+    )*) => {
+        /// A number of a scene.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+        #[serde(rename_all = "snake_case")]
+        pub enum Parameter {
+            $(#[doc = $meaning] $parameter,)*
+        }
+
+        impl Parameter {
+            /// How many there are.
+            pub const COUNT: usize = [$($key),*].len();
+        }
+
+        /// The table, in the order of [`Parameter`].
+        pub const PARAMETERS: [Entry; Parameter::COUNT] = [$(
+            entry(
+                Parameter::$parameter,
+                ($key, $symbol, $unit),
+                ($section, $legal, $slider),
+                $meaning,
+                ($default, $source),
+            )$($(.$more($($with),*))+)?
+        ),*];
+    };
+}
+
+parameters! {
+    HalfWidth = "half_width", "B", "m": Block, Positive, log(0.02, 2.0),
         "half the width of the base, between the edges on which the block really stands (too large a value is unsafe); give two of \
          half_width, height, slenderness and size",
-        "", "Fig. 1").plausible(0.002, 20.0, "metres are meant, not millimetres").always().without_object(),
-    entry(P::Height, ("height", "H", "m"), Block, Positive,
+        "", "Fig. 1" => plausible(0.002, 20.0, "metres are meant, not millimetres").always().without_object();
+    Height = "height", "H", "m": Block, Positive, log(0.1, 10.0),
         "height of the centre of mass above the base: half the height of a uniform block",
-        "", "Fig. 1").plausible(0.005, 100.0, "metres are meant, not millimetres").always().without_object(),
-    entry(P::Slenderness, ("slenderness", "λ", ""), Block, Positive,
+        "", "Fig. 1" => plausible(0.005, 100.0, "metres are meant, not millimetres").always().without_object();
+    Slenderness = "slenderness", "λ", "": Block, Positive, log(1.0, 20.0),
         "H/B, the height of the centre of mass over half the width",
-        "", "section 2").plausible(0.05, 100.0, "a ratio is meant, not an angle").always().without_object(),
-    entry(P::Size, ("size", "R", "m"), Block, Positive,
+        "", "section 2" => plausible(0.05, 100.0, "a ratio is meant, not an angle").always().without_object().within("Another measure of it");
+    Size = "size", "R", "m": Block, Positive, log(0.1, 10.0),
         "half the diagonal, the root of B² + H²",
-        "", "").plausible(0.005, 100.0, "metres are meant, not millimetres").always().without_object(),
-    entry(P::Mass, ("mass", "M", "kg"), Block, Positive,
+        "", "" => plausible(0.005, 100.0, "metres are meant, not millimetres").always().without_object().within("Another measure of it");
+    Mass = "mass", "M", "kg": Block, Positive, log(10.0, 1e5),
         "mass; needed with plates, stiffnesses and forces. Otherwise it has no influence on the motion",
-        "1, without plates", "section 2.1").never().without_object(),
-    entry(P::Inertia, ("inertia", "J_C", "kg m²"), Block, Positive,
+        "1, without plates", "section 2.1" => never().without_object();
+    Inertia = "inertia", "J_C", "kg m²": Block, Positive, log(1.0, 1e6),
         "moment of inertia about the centre of mass",
-        "the uniform rectangle's, M (B² + H²)/3", "section 2.1").never().without_object(),
-    entry(P::Eccentricity, ("eccentricity", "ε", ""), Block, InBase,
+        "the uniform rectangle's, M (B² + H²)/3", "section 2.1" => never().without_object().within("Another measure of it");
+    Eccentricity = "eccentricity", "ε", "": Block, InBase, even(-0.8, 0.8),
         "e/B: offset of the centre of mass to the right, divided by B",
-        "0", "section 3.3").always(),
-    entry(P::Offset, ("offset", "e", "m"), Block, Finite,
+        "0", "section 3.3" => always();
+    Offset = "offset", "e", "m": Block, Finite, even(-0.5, 0.5),
         "offset of the centre of mass to the right, in place of eccentricity; less than B",
-        "", "Fig. 1").plausible(0.0, 20.0, "metres are meant, not millimetres").always(),
-    entry(P::PlateH, ("plate_h", "m_h", "kg"), Block, NotNegative,
+        "", "Fig. 1" => plausible(0.0, 20.0, "metres are meant, not millimetres").always().within("Another measure of it");
+    PlateH = "plate_h", "m_h", "kg": Block, NotNegative, even(0.0, 2000.0),
         "mass of the plate that moves horizontally only",
-        "0", "Fig. 1").never(),
-    entry(P::PlateV, ("plate_v", "m_v", "kg"), Block, NotNegative,
+        "0", "Fig. 1" => never();
+    PlateV = "plate_v", "m_v", "kg": Block, NotNegative, even(0.0, 2000.0),
         "mass of the plate that moves in both directions",
-        "0", "Fig. 1").never(),
-    entry(P::TH, ("t_h", "T_h", "s"), Base, Positive,
+        "0", "Fig. 1" => never();
+    TH = "t_h", "T_h", "s": Base, Positive, even(0.2, 6.0),
         "period of the horizontal isolation with its initial stiffness, before it yields",
-        "", "(19)").plausible(0.0, 30.0, "a period in seconds is meant").always().moving(MOVES_H),
-    entry(P::TV, ("t_v", "T_v", "s"), Base, Positive,
+        "", "(19)" => plausible(0.0, 30.0, "a period in seconds is meant").always().moving(MOVES_H);
+    TV = "t_v", "T_v", "s": Base, Positive, even(0.05, 3.0),
         "period of the vertical isolation",
-        "", "(20)").plausible(0.0, 30.0, "a period in seconds is meant").always().moving(MOVES_V),
-    entry(P::Psi, ("psi", "ψ", ""), Base, Within(0.0, 1.0),
+        "", "(20)" => plausible(0.0, 30.0, "a period in seconds is meant").always().moving(MOVES_V);
+    Psi = "psi", "ψ", "": Base, Within(0.0, 1.0), even(0.0, 1.0),
         "stiffness after yielding divided by the initial stiffness",
-        "0.25", "(10a)").moving(MOVES_H),
-    entry(P::XiH, ("xi_h", "ξ_h", ""), Base, Within(0.0, 10.0),
+        "0.25", "(10a)" => moving(MOVES_H).within("When it yields");
+    XiH = "xi_h", "ξ_h", "": Base, Within(0.0, 10.0), even(0.0, 0.5),
         "horizontal viscous damping ratio, relative to the initial stiffness",
-        "0.05", "(19)").plausible(0.0, 1.0, "a ratio is meant, not percent").moving(MOVES_H),
-    entry(P::XiV, ("xi_v", "ξ_v", ""), Base, Within(0.0, 10.0),
+        "0.05", "(19)" => plausible(0.0, 1.0, "a ratio is meant, not percent").moving(MOVES_H);
+    XiV = "xi_v", "ξ_v", "": Base, Within(0.0, 10.0), even(0.0, 0.5),
         "vertical viscous damping ratio",
-        "0.1", "(20)").plausible(0.0, 1.0, "a ratio is meant, not percent").moving(MOVES_V),
-    entry(P::AlphaY, ("alpha_y", "α_y", ""), Base, Positive,
+        "0.1", "(20)" => plausible(0.0, 1.0, "a ratio is meant, not percent").moving(MOVES_V);
+    AlphaY = "alpha_y", "α_y", "": Base, Positive, log(0.01, 1.0),
         "yield displacement divided by PGA_h/ω_h²: the strength of the base grows with the peak of the motion",
-        "0.1", "(21)").moving(MOVES_H),
-    entry(P::UY, ("u_y", "u_y", "m"), Base, Positive,
+        "0.1", "(21)" => moving(MOVES_H).within("When it yields");
+    UY = "u_y", "u_y", "m": Base, Positive, log(0.001, 0.5),
         "yield displacement, in place of alpha_y: a base that stays the same when the motion grows",
-        "", "(11)").plausible(1.0e-6, 1.0, "metres are meant, not millimetres").moving(MOVES_H),
-    entry(P::YieldForce, ("yield_force", "F_y", "N"), Base, Positive,
+        "", "(11)" => plausible(1.0e-6, 1.0, "metres are meant, not millimetres").moving(MOVES_H).within("When it yields");
+    YieldForce = "yield_force", "F_y", "N": Base, Positive, log(10.0, 1e5),
         "k_h u_y, in place of alpha_y: the force at which the base yields",
-        "", "(10a)").moving(MOVES_H),
-    entry(P::BoucWenN, ("bouc_wen_n", "n", ""), Base, Whole(1, 100),
+        "", "(10a)" => moving(MOVES_H).within("When it yields");
+    BoucWenN = "bouc_wen_n", "n", "": Base, Whole(1, 100), even(1.0, 9.0),
         "exponent of the Bouc-Wen law",
-        "2", "(11)").moving(MOVES_H),
-    entry(P::K1, ("k1", "k_1", "N/m"), Base, Positive,
+        "2", "(11)" => moving(MOVES_H).within("When it yields");
+    K1 = "k1", "k_1", "N/m": Base, Positive, log(1e3, 1e8),
         "stiffness of a bilinear device before it yields, in place of t_h",
-        "", "(10a), (19)").moving(MOVES_H),
-    entry(P::K2, ("k2", "k_2", "N/m"), Base, NotNegative,
+        "", "(10a), (19)" => moving(MOVES_H);
+    K2 = "k2", "k_2", "N/m": Base, NotNegative, log(1e2, 1e7),
         "stiffness of a bilinear device after it has yielded, in place of psi; at most the one before",
-        "", "(10a)").moving(MOVES_H),
-    entry(P::Qd, ("qd", "Q_d", "N"), Base, Positive,
+        "", "(10a)" => moving(MOVES_H);
+    Qd = "qd", "Q_d", "N": Base, Positive, log(10.0, 1e6),
         "force of a bilinear device at zero displacement, in place of alpha_y; its yield displacement is Q_d/(k_1 - k_2)",
-        "", "(10a), (11)").moving(MOVES_H),
-    entry(P::Radius, ("radius", "R_d", "m"), Base, Positive,
+        "", "(10a), (11)" => moving(MOVES_H);
+    Radius = "radius", "R_d", "m": Base, Positive, even(0.3, 6.0),
         "radius of a friction pendulum, with mu in place of t_h and psi",
-        "", "").plausible(0.05, 50.0, "metres are meant, not millimetres").moving(MOVES_H),
-    entry(P::Mu, ("mu", "μ_d", ""), Base, Within(0.0, 2.0),
+        "", "" => plausible(0.05, 50.0, "metres are meant, not millimetres").moving(MOVES_H);
+    Mu = "mu", "μ_d", "": Base, Within(0.0, 2.0), even(0.01, 0.2),
         "friction coefficient of a friction pendulum; u_y is the displacement before it slides, 0.0005 m unless given",
-        "", "").plausible(0.0, 0.5, "a coefficient is meant, not percent").moving(MOVES_H),
-    entry(P::StopGap, ("stop_gap", "d", "m"), Base, Positive,
+        "", "" => plausible(0.0, 0.5, "a coefficient is meant, not percent").moving(MOVES_H);
+    StopGap = "stop_gap", "d", "m": Base, Positive, even(0.02, 1.0),
         "horizontal displacement at which the base meets its end stop; with stop_stiffness",
-        "none", "").plausible(1.0e-4, 10.0, "metres are meant, not millimetres").moving(MOVES_H),
-    entry(P::StopStiffness, ("stop_stiffness", "k_s", "N/m"), Base, Positive,
+        "none", "" => plausible(1.0e-4, 10.0, "metres are meant, not millimetres").moving(MOVES_H).within("End stop");
+    StopStiffness = "stop_stiffness", "k_s", "N/m": Base, Positive, log(1e4, 1e9),
         "stiffness of the end stop",
-        "", "").moving(MOVES_H),
-    entry(P::StopXi, ("stop_xi", "ξ_s", ""), Base, Within(0.0, 10.0),
+        "", "" => moving(MOVES_H).within("End stop");
+    StopXi = "stop_xi", "ξ_s", "": Base, Within(0.0, 10.0), even(0.0, 0.5),
         "damping ratio of the end stop with the mass above, M + m_h + m_v; the stop never pulls",
-        "0", "").plausible(0.0, 1.0, "a ratio is meant, not percent").moving(MOVES_H),
-    entry(P::VHardening, ("v_hardening", "v_c", "m"), Base, Positive,
+        "0", "" => plausible(0.0, 1.0, "a ratio is meant, not percent").moving(MOVES_H).within("End stop");
+    VHardening = "v_hardening", "v_c", "m": Base, Positive, log(0.005, 0.5),
         "displacement from the static position at which the vertical spring's force is twice that of its initial stiffness: it hardens by the cube",
-        "none", "").plausible(1.0e-5, 10.0, "metres are meant, not millimetres").moving(MOVES_V),
-    entry(P::StaticDeflection, ("static_deflection", "v_0", "m"), Base, NotNegative,
+        "none", "" => plausible(1.0e-5, 10.0, "metres are meant, not millimetres").moving(MOVES_V).within("Vertical spring that hardens");
+    StaticDeflection = "static_deflection", "v_0", "m": Base, NotNegative, even(0.0, 0.5),
         "static deflection of the vertical isolation, for the column max_v; the motion does not depend on it",
-        "g/ω_v²", "(20)").plausible(0.0, 10.0, "metres are meant, not millimetres").moving(MOVES_V),
-    entry(P::Omega, ("omega", "Ω", "rad/s"), Pulse, Positive,
+        "g/ω_v²", "(20)" => plausible(0.0, 10.0, "metres are meant, not millimetres").moving(MOVES_V).within("Vertical spring that hardens");
+    Omega = "omega", "Ω", "rad/s": Pulse, Positive, even(0.2, 20.0),
         "circular frequency of the pulse: its period is 2π/Ω",
-        "", "(22)").always(),
-    entry(P::AH, ("a_h", "A_h", "m/s²"), Pulse, Finite,
+        "", "(22)" => always();
+    AH = "a_h", "A_h", "m/s²": Pulse, Finite, even(0.0, 20.0),
         "horizontal amplitude of the pulse: its largest acceleration",
-        "", "(22a)").plausible(0.0, 100.0, "m/s² are meant, not cm/s²").always(),
-    entry(P::AV, ("a_v", "A_v", "m/s²"), Pulse, Finite,
+        "", "(22a)" => plausible(0.0, 100.0, "m/s² are meant, not cm/s²").always();
+    AV = "a_v", "A_v", "m/s²": Pulse, Finite, even(-10.0, 10.0),
         "vertical amplitude of the pulse",
-        "0", "(22b)").plausible(0.0, 100.0, "m/s² are meant, not cm/s²").always(),
-    entry(P::Cycles, ("cycles", "N", ""), Pulse, AboveUpTo(0.0, 1000.0),
+        "0", "(22b)" => plausible(0.0, 100.0, "m/s² are meant, not cm/s²").always();
+    Cycles = "cycles", "N", "": Pulse, AboveUpTo(0.0, 1000.0), even(0.5, 10.0),
         "cycles of a one-sine or one-cosine pulse",
-        "1", "").shaped(Shape::WITH_CYCLES),
-    entry(P::Gamma, ("gamma", "γ", ""), Pulse, Within(1.0, 100.0),
+        "1", "" => shaped(Shape::WITH_CYCLES);
+    Gamma = "gamma", "γ", "": Pulse, Within(1.0, 100.0), even(1.0, 6.0),
         "number of cycles of a pulse of Mavroeidis & Papageorgiou, under its envelope",
-        "2", "").plausible(1.0, 20.0, "a number of cycles is meant").always().shaped(Shape::MODULATED),
-    entry(P::Phase, ("phase", "ν", "rad"), Pulse, Finite,
+        "2", "" => plausible(1.0, 20.0, "a number of cycles is meant").always().shaped(Shape::MODULATED);
+    Phase = "phase", "ν", "rad": Pulse, Finite, even(-PI, PI),
         "phase of the cosine of a Mavroeidis & Papageorgiou pulse: with 0 the velocity is largest in the middle of the pulse, with π/2 it is zero there",
-        "0", "").plausible(0.0, 6.3, "radians are meant, not degrees").shaped(Shape::MODULATED),
-    entry(P::Scale, ("scale", "SF", ""), Record, NotZero,
+        "0", "" => plausible(0.0, 6.3, "radians are meant, not degrees").shaped(Shape::MODULATED);
+    Scale = "scale", "SF", "": Record, NotZero, log(0.1, 10.0),
         "factor on both components",
-        "1", "").always(),
-    entry(P::Pga, ("pga", "PGA_h", "m/s²"), Record, Positive,
+        "1", "" => always();
+    Pga = "pga", "PGA_h", "m/s²": Record, Positive, even(0.5, 20.0),
         "scale both components so that the horizontal peak is this",
-        "", "").plausible(0.5, LARGEST_PEAK, "m/s² are meant, not g").never(),
-    entry(P::TMax, ("t_max", "t_max", "s"), Run, AboveUpTo(0.0, 1.0e5),
+        "", "" => plausible(0.5, LARGEST_PEAK, "m/s² are meant, not g").never();
+    TMax = "t_max", "t_max", "s": Run, AboveUpTo(0.0, 1.0e5), even(5.0, 120.0),
         "simulated time",
-        "30, or a record's duration", "section 3").never(),
-    entry(P::Tilt, ("tilt", "φ_0", "rad"), Run, Finite,
+        "30, or a record's duration", "section 3" => never();
+    Tilt = "tilt", "φ_0", "rad": Run, Finite, even(-0.3, 0.3),
         "rotation of the block at the start, positive about the left corner",
-        "0", "Fig. 1"),
-    entry(P::Friction, ("friction", "μ", ""), Run, Positive,
+        "0", "Fig. 1";
+    Friction = "friction", "μ", "": Run, Positive, log(0.05, 2.0),
         "friction coefficient between block and base: cells in which the block would slide are marked; the model has no sliding",
-        "none", "").plausible(0.0, 5.0, "a coefficient is meant, not an angle"),
-    entry(P::Restitution, ("restitution", "η_φ", ""), Run, AboveUpTo(0.0, 1.0),
+        "none", "" => plausible(0.0, 5.0, "a coefficient is meant, not an angle");
+    Restitution = "restitution", "η_φ", "": Run, AboveUpTo(0.0, 1.0), even(0.3, 1.0),
         "angular velocity after an impact divided by that before, instead of the law; only without isolation",
-        "the law's", "(17c)").moving(&[Directions::None]),
-    entry(P::RestitutionFactor, ("restitution_factor", "r", ""), Run, NotNegative,
+        "the law's", "(17c)" => moving(&[Directions::None]);
+    RestitutionFactor = "restitution_factor", "r", "": Run, NotNegative, even(0.5, 1.0),
         "factor on the law's angular velocity after an impact; the linear momenta are kept; a factor with which an impact would raise the energy is refused",
-        "1", "(15a), (15b), (17c)"),
-];
+        "1", "(15a), (15b), (17c)";
+}
 
 /// Parameters that say the same: a scene has one of each row at most.
 pub const ALTERNATIVES: [&[Parameter]; 6] = [
@@ -476,9 +447,6 @@ pub const ALTERNATIVES: [&[Parameter]; 6] = [
 ];
 
 impl Parameter {
-    /// How many there are.
-    pub const COUNT: usize = Parameter::RestitutionFactor as usize + 1;
-
     /// Its description.
     pub fn entry(self) -> &'static Entry {
         &PARAMETERS[self as usize]

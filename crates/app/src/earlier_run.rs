@@ -39,9 +39,6 @@ struct Leaves {
 }
 
 /// The results at a path: a directory, a run.json, or a map's file; none where it is no such thing.
-///
-/// # Errors
-/// What is wrong with them and what to do.
 pub fn at(path: &Path) -> Option<Result<EarlierRun, String>> {
     // Its cells are saved as those of a map in chunks.
     if holds_shards(path) {

@@ -16,10 +16,9 @@ use topple_studies::suites::swept_motion::Values;
 use topple_studies::uncertain::{SAMPLES, Varied};
 
 use super::inputs::InputReader;
-use super::study::StudyFlags;
+use super::study::{StudyFlags, warn_of_radius};
 use super::study_flags::{FurtherFlags, IntervalFlags, LimitFlags, names, unknown};
 use super::study_words::{FALLS, LEAVES, between, digits, warn_of_few};
-use super::suite_run::warn_of_radius;
 use super::words::{self, Reporter, counted};
 use super::written::one_of;
 use super::{InputError, examples};
@@ -113,7 +112,7 @@ impl StudyFlags for EnvelopeFlags {
         let best = envelope.best();
         let intervals = envelope.settings.intervals.as_ref();
         Self::Record {
-            limits: self.limits.record(),
+            limits: self.limits.limits(),
             best: self.best,
             feasible: best.len(),
             best_cell: best.first().copied(),

@@ -2,7 +2,6 @@
 
 use std::time::{Duration, Instant};
 
-use crate::manifest::{self, Facts};
 use topple::backend::backend_error::BackendError;
 use topple::refine::refined::RefinedMap;
 use topple::results::earlier::RUN;
@@ -13,12 +12,11 @@ use topple::sweep::map::MapSweep;
 use topple::sweep::settings::VerifySettings;
 use topple::sweep::{verdict, verification};
 use topple::work::observer::Observer;
-use topple_manifest::Timings;
+use topple_manifest::{MapRun, Run, Timings};
 use topple_pictures::map::slices;
 use topple_pictures::map::thinned::DRAWN;
 use topple_studies::Sharpness;
 
-use super::InputError;
 use super::beside;
 use super::call::Call;
 use super::errors::{not_verified, sweep_error};
@@ -31,6 +29,7 @@ use super::progress::Screen;
 use super::refined;
 use super::results_directory::Results;
 use super::words::{self, Reporter};
+use super::{InputError, manifest};
 
 /// How a map is finished.
 pub struct Finish<'a> {
@@ -111,7 +110,7 @@ pub fn write(
         verified.map(|verification| (verification, lap(&mut began)))
     });
     let write = || files(&mut map, results, to, (tally, sharpness), &mut took, say, screen);
-    let (facts, verified) = beside::run(screen, chosen.len(), write, verify)?;
+    let (mut run, verified) = beside::run(screen, chosen.len(), write, verify)?;
     screen.clear();
     if by_reference {
         say.line("reference", "it computed the map: there is nothing to verify");
@@ -119,37 +118,34 @@ pub fn write(
     if let Some(verified) = verified {
         let cancelled: SweepError = BackendError::Cancelled.into();
         let (verification, seconds) = verified.ok_or(cancelled).map_err(not_verified)?;
-        took.verification = Some(seconds);
+        run.timings.verification = Some(seconds);
         say.line("reference", verdict::agreement(&verification, within));
         say.styled("", verdict::told(&verification), words::style(&verification));
         for difference in verdict::differences(&verification, &map.grid) {
             say.line("", difference);
         }
-        map.verification = Some(verification);
-    }
-    let run = manifest::of(&map, &facts, took);
-    if map.verification.is_some() {
-        results.finish(run.clone())?;
+        run.verification = Some(verification);
+        results.finish(Run::Map(run.clone()))?;
     }
     if to.talk.verbose {
-        say.line("time", words::phases(&took));
+        say.line("time", words::phases(&run.timings));
     }
     if to.talk.json {
-        print_line!("{}", serde_json::to_string_pretty(&results.run(run))?);
+        print_line!("{}", serde_json::to_string_pretty(&results.run(Run::Map(run)))?);
     }
     Ok(())
 }
 
 /// Draws a map and writes its files, and says where they are.
-fn files<'a>(
+fn files(
     map: &mut MapSweep,
     results: &mut Results,
-    to: &Finish<'a>,
+    to: &Finish,
     (tally, sharpness): (Tally, Option<Sharpness>),
     took: &mut Timings,
     say: &Reporter,
     screen: &Screen,
-) -> anyhow::Result<Facts<'a>> {
+) -> anyhow::Result<Box<MapRun>> {
     let files = to.files;
     let began = Instant::now();
     let asked = map.method.columns;
@@ -188,11 +184,10 @@ fn files<'a>(
         screen.clear();
     }
     took.writing = began.elapsed().as_secs_f64();
-    let steps = manifest::steps(&map.plan.at(map.method.precision), &map.grid);
-    let refined = to.refined.map(|refined| &refined.report);
-    let facts =
-        Facts { tally, steps, drawn, tag: to.tag, refined, sharpness, pictures: to.pictures };
-    results.finish(manifest::of(map, &facts, *took))?;
+    let refined = to.refined.map(|refined| refined.report.clone());
+    let known = manifest::of(map, &tally, *took, to.pictures);
+    let run = Box::new(MapRun { tag: to.tag, drawn, refined, sharpness, ..known });
+    results.finish(Run::Map(run.clone()))?;
     map.discard_saved().map_err(sweep_error)?;
     let all = to.refined.map_or(map.grid.len(), |refined| refined.grid.len());
     let thinned = match cells == all {
@@ -211,5 +206,5 @@ fn files<'a>(
     }
     let data: Vec<&str> = files.iter().map(|file| file.name()).chain([RUN]).collect();
     say.line("data", format!("{} with {}", results.file(data[0]).display(), data[1..].join(", ")));
-    Ok(facts)
+    Ok(run)
 }

@@ -63,9 +63,6 @@ fn numbers(row: &Row) -> [Number; 7] {
 }
 
 /// Writes the table; `forces` are those of the rows, where columns of them are requested.
-///
-/// # Errors
-/// Those of the writer.
 pub fn write(
     rows: &[Row],
     (more, forces): (&MoreColumns, &[Forces]),
@@ -85,9 +82,6 @@ pub fn write(
 }
 
 /// Writes the events.
-///
-/// # Errors
-/// Those of the writer.
 pub fn write_events(events: &[(Event, Row)], writer: impl Write) -> Result<(), csv::Error> {
     let mut table = csv::Writer::from_writer(writer);
     table.write_record(["t", "event"].into_iter().chain(COLUMNS[1..].iter().copied()))?;

@@ -1,10 +1,12 @@
-//! The files that a run under a suite reads beside its motions: their checksums in run.json, by the flag that names them.
+//! What a run under a suite was made of, by its run.json: its motions, and the files that it read beside them. A repetition refuses others.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use topple::scene::bounded;
-use topple::scene::record::sha256;
+use topple::scene::record::{Provenance, sha256};
+use topple::scene::{bounded, shown};
+use topple_manifest::{CommandLine, Sources};
+use topple_studies::suites::Suite;
 
 use super::InputError;
 
@@ -61,5 +63,47 @@ impl<'a> InputReader<'a> {
     /// The checksums of what was read.
     pub fn checksums(self) -> Inputs {
         self.read
+    }
+}
+/// A run that is repeated.
+#[derive(Debug, Clone)]
+pub struct Repeats {
+    /// The words that say so.
+    pub line: CommandLine,
+    /// What its motions were read from.
+    pub records: Sources,
+    /// Checksums of the other files that it read.
+    pub inputs: Inputs,
+}
+
+/// Refuses a suite that is not the one of an earlier run: a motion that is gone, is new, or has changed. An earlier run that
+/// tells of no motions has none that could have changed.
+///
+/// # Errors
+/// The first of them, and what to do.
+pub fn unchanged(suite: &Suite, earlier: &Sources) -> Result<(), String> {
+    if earlier.is_empty() {
+        return Ok(());
+    }
+    let now: BTreeMap<&str, _> =
+        suite.motions().map(|(entry, motion)| (entry.id.as_str(), (entry, motion))).collect();
+    for (id, before) in earlier {
+        let named = shown::shown(id);
+        let Some((entry, motion)) = now.get(id.as_str()) else {
+            return Err(format!("the motion {named} of the run is gone; {PUT_BACK}"));
+        };
+        let bare = |files: Option<&Provenance>| files.map(Provenance::without_folders);
+        let same = bare(before.files.as_ref()) == bare(motion.pair.provenance.as_deref())
+            && (before.scale, before.weight) == (entry.scale, entry.weight);
+        if !same {
+            return Err(format!("the motion {named} has changed since the run; {PUT_BACK}"));
+        }
+    }
+    match now.keys().find(|id| !earlier.contains_key(**id)) {
+        Some(new) => {
+            let new = shown::shown(new);
+            Err(format!("the motion {new} was not there in the run; {PUT_BACK}"))
+        }
+        None => Ok(()),
     }
 }

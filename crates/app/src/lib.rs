@@ -8,7 +8,6 @@ pub mod beside;
 mod call;
 mod chart;
 mod compare;
-mod compare_words;
 mod completions;
 pub mod date;
 mod device_remarks;
@@ -23,8 +22,6 @@ mod explore;
 mod figures;
 mod finish;
 mod fragility;
-mod fragility_rates;
-mod fragility_words;
 mod given;
 mod history;
 mod history_table;
@@ -58,7 +55,6 @@ mod study;
 mod study_flags;
 mod study_words;
 mod suite;
-mod suite_run;
 mod template;
 mod uncertain;
 pub mod words;
@@ -108,12 +104,8 @@ enum Command {
     Seismic(seismic::SeismicCommand),
     /// Read a set of records as one suite: pair the components, compute intensity measures
     Suite(suite::SuiteCommand),
-    /// Sweep a scene under every motion of a suite: find the cells in which the block stands within given strokes
-    Envelope(Box<study::StudyCommand<envelope::EnvelopeFlags>>),
-    /// Estimate how likely the block overturns under a suite, by the intensity of the motions
-    Fragility(Box<study::StudyCommand<fragility::FragilityFlags>>),
-    /// Compare the devices of a list under every motion of a suite: shares, strokes, reserves, annual rates
-    Compare(Box<study::StudyCommand<compare::CompareFlags>>),
+    #[command(flatten)]
+    Study(Studies),
     /// Write a report of runs for those who decide, as HTML or PDF
     Report(report::ReportCommand),
     /// Join the shards of a map made with --tile
@@ -142,6 +134,28 @@ enum Command {
     Licences,
 }
 
+/// The studies, a command each.
+#[derive(clap::Subcommand)]
+enum Studies {
+    /// Sweep a scene under every motion of a suite: find the cells in which the block stands within given strokes
+    Envelope(Box<study::StudyCommand<envelope::EnvelopeFlags>>),
+    /// Estimate how likely the block overturns under a suite, by the intensity of the motions
+    Fragility(Box<study::StudyCommand<fragility::FragilityFlags>>),
+    /// Compare the devices of a list under every motion of a suite: shares, strokes, reserves, annual rates
+    Compare(Box<study::StudyCommand<compare::CompareFlags>>),
+}
+
+impl Studies {
+    /// The one that is given.
+    fn command(self) -> Box<dyn study::AnyStudy> {
+        match self {
+            Studies::Envelope(command) => command,
+            Studies::Fragility(command) => command,
+            Studies::Compare(command) => command,
+        }
+    }
+}
+
 /// The grammar of its command lines.
 pub fn arguments() -> clap::Command {
     Arguments::command()
@@ -161,9 +175,7 @@ fn parse_and_do(words: &[OsString]) -> anyhow::Result<()> {
         Some(Command::Pulse(command)) => command.run(),
         Some(Command::Seismic(command)) => command.run(),
         Some(Command::Suite(command)) => command.run(),
-        Some(Command::Envelope(command)) => command.run(),
-        Some(Command::Fragility(command)) => command.run(),
-        Some(Command::Compare(command)) => command.run(),
+        Some(Command::Study(study)) => study.command().run(),
         Some(Command::Report(command)) => command.run(),
         Some(Command::Merge(command)) => command.run(),
         Some(Command::History(command)) => command.run(),

@@ -17,26 +17,17 @@ pub const FIGURE: &str = "[[panel]]";
 const LARGEST: u64 = 1 << 20;
 
 /// The scene of a file; a record's files are looked for from its folder.
-///
-/// # Errors
-/// What is wrong, where, and what to do.
 pub fn load(path: &Path, force: bool) -> Result<Scene, InputError> {
     check(path, &given(path, force)?)
 }
 
 /// Checks what a file gives of a scene.
-///
-/// # Errors
-/// What is wrong, where, and what to do.
 pub fn check(path: &Path, given: &SceneBuilder) -> Result<Scene, InputError> {
     let directory = path.parent().unwrap_or(Path::new(""));
     given.check_in(directory).map_err(|error| refused(path, with_keys(&error.to_string())))
 }
 
 /// What a file gives of a scene, unchecked.
-///
-/// # Errors
-/// What is wrong, where, and what to do.
 pub fn given(path: &Path, force: bool) -> Result<SceneBuilder, InputError> {
     let refused = |reason| refused(path, reason);
     let text = read(path).map_err(refused)?;
@@ -59,9 +50,6 @@ fn refused(path: &Path, reason: String) -> InputError {
 }
 
 /// Reads a scene's file.
-///
-/// # Errors
-/// The fault and the remedy.
 pub fn read(path: &Path) -> Result<String, String> {
     bounded::text(path, LARGEST).map_err(|error| match error.kind() {
         ErrorKind::FileTooLarge => format!("{error}; this is no scene"),

@@ -2,39 +2,17 @@
 
 use topple::backend::report::{Report, threads};
 use topple::cells::plan::Plan;
-use topple::refine::report::RefineReport;
 use topple::results::tally::Tally;
 use topple::scene::Grid;
 use topple::scene::path_text::PathText;
 use topple::sweep::map::MapSweep;
 use topple::work::parallel;
-use topple_manifest::{MapRun, Origin, Reduced, Run, SceneRun, Steps, Timings};
-use topple_studies::Sharpness;
+use topple_manifest::{MapRun, Origin, Reduced, SceneRun, Steps, Timings};
 
 use super::picture_flags::PictureFlags;
 
-/// What is known of a map beside its sweep: it stays the same while files are written and cells verified.
-#[derive(Debug)]
-pub struct Facts<'a> {
-    /// How its cells were counted.
-    pub tally: Tally,
-    /// The steps of its cells.
-    pub steps: Steps,
-    /// Columns and rows that are drawn.
-    pub drawn: (usize, usize),
-    /// A checksum of all that it depends on.
-    pub tag: Option<u32>,
-    /// How it was refined, where that was requested.
-    pub refined: Option<&'a RefineReport>,
-    /// How sharp its boundaries are, where that was requested.
-    pub sharpness: Option<Sharpness>,
-    /// How its pictures are printed.
-    pub pictures: &'a PictureFlags,
-}
-
-/// What is known of a map; `took` has the times of what came beside the sweep.
-pub fn of(map: &MapSweep, facts: &Facts, took: Timings) -> Run {
-    let Facts { tally, steps, drawn, tag, refined, sharpness, pictures } = facts;
+/// What is known of a map whose files are written, before it is verified; `took` has the times of what came beside the sweep.
+pub fn of(map: &MapSweep, tally: &Tally, took: Timings, pictures: &PictureFlags) -> MapRun {
     let MapSweep { plan, grid, method, shards, .. } = map;
     let sum = |of: fn(&Report) -> f64| shards.iter().map(|(_, report)| of(report)).sum::<f64>();
     let resumed_cells = shards.iter().map(|(_, report)| report.resumed_cells).sum();
@@ -47,25 +25,20 @@ pub fn of(map: &MapSweep, facts: &Facts, took: Timings) -> Run {
     // One that all shards share, if they do; a map has one shard at least.
     let adapter = shards[0].1.adapter.as_ref();
     let shared = shards.iter().all(|(_, report)| report.adapter.as_ref() == adapter);
-    Run::Map(Box::new(MapRun {
-        tag: *tag,
+    MapRun {
         of: SceneRun::of(&plan.scene, backends.join("+"), *method, pictures.record()),
         cells: grid.len(),
         resumed_cells,
         adapter: adapter.filter(|_| shared).cloned(),
         threads: threads(),
-        steps: *steps,
+        steps: steps(&plan.at(method.precision), grid),
         cells_per_second: (grid.len() - resumed_cells) as f64 / timings.sweep.max(1.0e-9),
         timings,
         outcomes: tally.classes().into_iter().map(|(name, count)| (name.into(), count)).collect(),
         tensile_cells: tally.tensile,
         sliding_cells: tally.sliding,
         repaired: map.repair.clone(),
-        refined: refined.cloned(),
-        sharpness: sharpness.clone(),
         model: Some(reduced(plan, tally)),
-        verification: map.verification.clone(),
-        drawn: *drawn,
         parts: shards
             .iter()
             .map(|(folder, report)| Origin {
@@ -73,11 +46,12 @@ pub fn of(map: &MapSweep, facts: &Facts, took: Timings) -> Run {
                 report: report.clone(),
             })
             .collect(),
-    }))
+        ..MapRun::default()
+    }
 }
 
 /// The steps of a grid's cells. It goes through all of them.
-pub fn steps(plan: &Plan, grid: &Grid) -> Steps {
+fn steps(plan: &Plan, grid: &Grid) -> Steps {
     let of = |cell: usize| {
         let clock = plan.clock(&grid.case(cell));
         let step = if clock.step_free > 0.0 { clock.step_free } else { clock.step_forced };

@@ -132,8 +132,8 @@ pub struct MapOptions {
     /// Continue an interrupted run in the same directory
     #[arg(long)]
     pub resume: bool,
-    /// Shortest time between two savings of finished cells for --resume, s
-    #[arg(long, value_name = "S", default_value = "2", value_parser = seconds, allow_negative_numbers = true)]
+    /// Shortest time between two savings of finished cells for --resume, s: for tests of runs that are killed, and for measurements
+    #[arg(long, hide = true, value_name = "S", default_value = "2", value_parser = seconds, allow_negative_numbers = true)]
     pub keep_every: Duration,
     /// Run only the k-th of n shards and keep it in the directory for topple merge
     #[arg(long, value_name = "K/N", conflicts_with_all = ["verify", "files"])]
@@ -194,17 +194,11 @@ impl RunOptions {
     }
 
     /// Sets the number of threads that work on the CPU. Call it before any does.
-    ///
-    /// # Errors
-    /// More threads than the system gives.
     pub fn set_threads(&self) -> Result<(), InputError> {
         set_threads(self.threads)
     }
 
     /// The plan of a scene.
-    ///
-    /// # Errors
-    /// Those of [`Method::plan`].
     pub fn plan(&self, scene: &Scene) -> Result<Plan, SceneError> {
         self.check_step()?;
         self.method().plan(scene)
@@ -252,9 +246,6 @@ impl RunOptions {
     }
 
     /// Opens what to compute on: one backend, or as many as there are GPUs; all alike.
-    ///
-    /// # Errors
-    /// Those of [`BackendRequest::open`].
     pub fn open_backends(&self) -> anyhow::Result<Vec<Backend>> {
         let opened = self.backend().open(self.precision(), &self.adapter);
         let OpenBackends { backends, passed_over } = opened.map_err(|e| sweep_error(e.into()))?;
@@ -272,9 +263,6 @@ impl RunOptions {
 }
 
 /// Sets the number of threads, where one was given.
-///
-/// # Errors
-/// More threads than the system gives.
 pub fn set_threads(threads: Option<NonZeroUsize>) -> Result<(), InputError> {
     let Some(count) = threads else { return Ok(()) };
     if let Some(problem) = too_many(count) {
@@ -344,9 +332,6 @@ impl MapOptions {
     }
 
     /// Refuses what is wrong with a scene before anything is made.
-    ///
-    /// # Errors
-    /// Those of the plan, and of the numbers that are not known.
     pub fn check(&self, scene: &Scene) -> Result<(), InputError> {
         self.run.pictures.print().map_err(InputError)?;
         if self.tile.is_some() && !self.run.pictures.record().is_plain() {

@@ -26,14 +26,11 @@ pub struct PictureFlags {
     /// Colours of the pictures [default: colour]
     #[arg(long, value_name = "NAME", help_heading = HEADING, value_parser = one_of::<Palette>())]
     palette: Option<Palette>,
-    /// Draw the letters of SVG pictures as outlines, so that they need no font; such text can be neither searched nor edited
-    #[arg(long, help_heading = HEADING)]
-    outline_text: bool,
 }
 
 impl PictureFlags {
     /// Their names, for messages.
-    pub const NAMES: &str = "--title, --width, --font-size, --palette, --outline-text";
+    pub const NAMES: &str = "--title, --width, --font-size, --palette";
 
     /// What run.json says of them.
     pub fn record(&self) -> Pictures {
@@ -42,7 +39,6 @@ impl PictureFlags {
             width: self.width,
             font_size: self.font_size,
             palette: self.palette,
-            outline_text: self.outline_text,
         }
     }
 
@@ -63,7 +59,6 @@ impl PictureFlags {
         })?;
         print.title = self.title.as_deref();
         print.palette = self.palette.unwrap_or_default();
-        print.outlines = self.outline_text;
         Ok(print)
     }
 
@@ -73,7 +68,6 @@ impl PictureFlags {
         self.width = self.width.or(earlier.width);
         self.font_size = self.font_size.or(earlier.font_size);
         self.palette = self.palette.or(earlier.palette);
-        self.outline_text |= earlier.outline_text;
     }
 }
 

@@ -4,14 +4,14 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use clap::Parser;
-use topple::results::earlier::{Kind, RUN};
+use topple::results::earlier::RUN;
 use topple::scene::path_text::PathText;
 use topple_manifest::{CommandLine, Manifest, Study};
 
 use super::given::GivenFlags;
+use super::inputs::Repeats;
 use super::options::MapOptions;
-use super::study::{StudyCommand, StudyFlags};
-use super::suite_run::Repeats;
+use super::study::AnyStudy;
 use super::{Arguments, Command, InputError};
 
 /// Runs again what the directory of a study's results tells, or its run.json, or a table beside it, with the directory, the threads
@@ -31,23 +31,21 @@ pub fn run(path: &Path, options: &MapOptions, given: &GivenFlags) -> Option<anyh
     let (line, inputs) = (command?, run.inputs().cloned().unwrap_or_default());
     let words = line.arguments.iter().map(|PathText(word)| OsString::from(word));
     let parsed = Arguments::try_parse_from([OsString::from("topple")].into_iter().chain(words));
-    let command = parsed.ok().and_then(|parsed| parsed.command);
     let folder = file.parent().unwrap_or(Path::new(""));
-    let from = (Repeats { line, records, inputs }, folder);
-    Some(match (kind, command) {
-        (Kind::Envelope, Some(Command::Envelope(of))) => again(*of, from, options, given),
-        (Kind::Fragility, Some(Command::Fragility(of))) => again(*of, from, options, given),
-        (Kind::Comparison, Some(Command::Compare(of))) => again(*of, from, options, given),
-        _ => {
-            let problem = format!("its command is not one of {}; give a scene", kind.name());
-            Err(InputError(format!("{}: {problem}", path.display())).into())
-        }
-    })
+    let command = match parsed.ok().and_then(|parsed| parsed.command) {
+        Some(Command::Study(study)) => Some(study.command()).filter(|own| own.kind() == kind),
+        _ => None,
+    };
+    let Some(command) = command else {
+        let problem = format!("its command is not one of {}; give a scene", kind.name());
+        return Some(Err(InputError(format!("{}: {problem}", path.display())).into()));
+    };
+    Some(again(command, (Repeats { line, records, inputs }, folder), options, given))
 }
 
-/// Runs a study again; the files that it reads are looked for.
-fn again<Own: StudyFlags>(
-    mut command: StudyCommand<Own>,
+/// Runs a study again, as a whole and from the start; the files that it reads are looked for.
+fn again(
+    mut command: Box<dyn AnyStudy>,
     (repeats, folder): (Repeats, &Path),
     options: &MapOptions,
     given: &GivenFlags,
@@ -59,12 +57,13 @@ fn again<Own: StudyFlags>(
         );
         return Err(InputError(problem).into());
     }
-    let StudyCommand { motions, own, options: run, .. } = &mut command;
-    for (flag, path) in own.files() {
+    let (files, motions, run) = command.parts();
+    let suite = ("--suite", &mut motions.suite);
+    for (flag, path) in files.into_iter().chain([suite]) {
         *path = found(flag, path, &repeats.line, folder)?;
     }
-    let suite = found("--suite", motions.suite(), &repeats.line, folder)?;
-    motions.repeat(suite, repeats);
+    motions.repeats = Some(repeats);
+    (motions.resume, motions.tile, motions.dry_run) = (false, None, false);
     run.out.clone_from(&options.run.out);
     run.quiet |= options.run.quiet;
     run.threads = options.run.threads.or(run.threads);

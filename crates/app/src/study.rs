@@ -4,24 +4,28 @@ use std::path::PathBuf;
 
 use topple::backend::backend_error::BackendError;
 use topple::results::earlier::Kind;
+use topple::scene::{Grid, Parameter, Scene, Values};
 use topple_manifest::{Run, Site, StudyRun};
 use topple_pictures::drawing::error::FigureError;
 use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::print::Print;
 use topple_studies::fragility::HazardText;
+use topple_studies::suites::saved;
+use topple_studies::suites::swept::{SuiteJob, SuiteSweep};
+use topple_studies::suites::verified::Verified;
 use topple_studies::uncertain::Varied;
 use topple_studies::{Study, StudyError, StudyJob, StudyRequest, SuiteRequest};
 
 use super::errors::sweep_error;
+use super::estimate::duration;
 use super::inputs::InputReader;
 use super::numbers::RecordNumbers;
-use super::options::{CommonFlags, RunOptions};
+use super::options::{CommonFlags, RunOptions, flag_error};
 use super::progress::Screen;
-use super::results_directory::{Place, picture_files};
-use super::study_flags::{self, RateFlags};
-use super::suite_run::{SuiteFlags, tell_of_base, tell_verified};
-use super::words::Reporter;
-use super::{InputError, study_words, suite};
+use super::results_directory::{self, Place, picture_files};
+use super::study_flags::{self, RateFlags, SuiteFlags};
+use super::words::{self, Reporter, counted};
+use super::{InputError, device_remarks, study_words, suite};
 
 /// A command that studies a scene, or devices, under the motions of a suite. What is its own stands between the flags of the motions
 /// and those of how they are run.
@@ -32,11 +36,23 @@ pub struct StudyCommand<Own: StudyFlags> {
     #[command(flatten)]
     record: RecordNumbers,
     #[command(flatten)]
-    pub motions: SuiteFlags,
+    motions: SuiteFlags,
     #[command(flatten)]
-    pub own: Own,
+    own: Own,
     #[command(flatten, next_help_heading = "Computing")]
-    pub options: RunOptions,
+    options: RunOptions,
+}
+
+/// The command of any study.
+pub trait AnyStudy {
+    /// What its files are of.
+    fn kind(&self) -> Kind;
+
+    /// Runs the sweeps and writes what they tell.
+    fn run(&self) -> anyhow::Result<()>;
+
+    /// What a repetition changes: the files that it reads beside the motions, by the flags that name them; the motions; and how they are run.
+    fn parts(&mut self) -> (Vec<(&'static str, &mut PathBuf)>, &mut SuiteFlags, &mut RunOptions);
 }
 
 /// What comes of a study's sweeps.
@@ -126,13 +142,20 @@ pub trait StudyFlags: clap::Args {
     fn tell(&self, study: &StudyOf<Self>, say: &Reporter);
 }
 
-impl<Own: StudyFlags> StudyCommand<Own> {
-    /// Runs the sweeps and writes what they tell.
-    pub fn run(&self) -> anyhow::Result<()> {
+impl<Own: StudyFlags> AnyStudy for StudyCommand<Own> {
+    fn kind(&self) -> Kind {
+        Own::KIND
+    }
+
+    fn parts(&mut self) -> (Vec<(&'static str, &mut PathBuf)>, &mut SuiteFlags, &mut RunOptions) {
+        (self.own.files(), &mut self.motions, &mut self.options)
+    }
+
+    fn run(&self) -> anyhow::Result<()> {
         let StudyCommand { common, record, motions, own, options } = self;
         let print = options.pictures.print().map_err(InputError)?;
         let place = Place::of(&options.out, Own::KIND)?;
-        let mut inputs = motions.inputs();
+        let mut inputs = InputReader::new(motions.repeats.as_ref().map(|earlier| &earlier.inputs));
         let hazard = match own.rates() {
             Some(rates) => rates.hazard.read(rates.im, &mut inputs)?,
             None => None,
@@ -146,23 +169,33 @@ impl<Own: StudyFlags> StudyCommand<Own> {
         let tables = request.tables().into_iter().map(|(file, _)| file);
         let tables = tables.chain(exported).map(String::from);
         let pictures = own.pictures(&request).into_iter().flat_map(|name| picture_files(&name));
-        motions.refuse_foreign(&place, &tables.chain(pictures).collect::<Vec<_>>())?;
+        // A dry run and a shard write none of them.
+        if !motions.dry_run && motions.tile.is_none() {
+            place.refuse_foreign(&tables.chain(pictures).collect::<Vec<_>>())?;
+        }
         let suite = motions.read()?;
         let say = Reporter::unless(options.quiet);
         let job = request.open(&suite).map_err(|error| own.refused(error))?;
-        motions.refuse_others(&job.sweep, options)?;
+        // Before anything is warned of: what is refused is one line.
+        if job.sweep.finds_others().map_err(sweep_error)? && motions.resume {
+            let problem = format!(
+                "--resume: {} holds motions of another run; give the flags of that run, or another directory",
+                saved::folder(&options.out).display()
+            );
+            return Err(InputError(problem).into());
+        }
         suite::count(&suite, &say);
         own.varied().iter().for_each(|varied| say.line("varies", varied));
         if let (Some(rates), Some(hazard)) = (own.rates(), &hazard) {
             study_words::hazard(&rates, hazard, &say);
         }
-        motions.tell_of_scene(&job.scenes, &say);
+        tell_of_scenes(motions, &job.scenes, &say);
         if let Some(rates) = own.rates() {
             study_words::levels(&rates, &say);
         }
         own.tell_of_base(&job, options, &say)?;
         let StudyJob { sweep, settings, times, .. } = job;
-        let Some(swept) = motions.run(sweep, (times, Own::TIMES), options, &say)? else {
+        let Some(swept) = sweep_under(motions, sweep, (times, Own::TIMES), options, &say)? else {
             return Ok(());
         };
         let screen = Screen::new(options.quiet);
@@ -222,3 +255,134 @@ impl<Own: StudyFlags> StudyCommand<Own> {
         Ok(())
     }
 }
+
+/// Says what is swept, and that both directions of a block without an eccentricity are the same.
+fn tell_of_scenes(motions: &SuiteFlags, scenes: &[Scene], say: &Reporter) {
+    let parts = match scenes {
+        [] => return,
+        [scene] => topple::scene::words::fixed(scene),
+        scenes => words::shared_block(scenes),
+    };
+    let suite = motions.suite.display();
+    say.line("scene", format!("{}, under the motions of {suite}", parts.join(", ")));
+    if let [scene] = scenes {
+        words::axes(say, &Grid::of(scene));
+        words::block(say, scene);
+    }
+    let leans = |scene: &Scene| {
+        let of_centre = [Parameter::Eccentricity, Parameter::Offset];
+        let values = of_centre.into_iter().filter_map(|of| scene.numbers.get(of));
+        values.flat_map(Values::iter).any(|value| value != 0.0)
+    };
+    if motions.both_directions && !scenes.iter().any(leans) {
+        words::warn(
+            "both directions of a motion are the same for a block without an eccentricity: --both-directions doubles the time, and nothing else",
+        );
+    }
+}
+
+/// Runs a scene under motions, each so many times for something; none where no result is wanted: of a dry run,
+/// and of a shard.
+fn sweep_under(
+    motions: &SuiteFlags,
+    job: SuiteJob,
+    times: (usize, &str),
+    options: &RunOptions,
+    say: &Reporter,
+) -> anyhow::Result<Option<SuiteSweep>> {
+    let screen = Screen::new(options.quiet);
+    options.warn_of(&job.backends().passed_over, &job.backends().backends[0]);
+    let (cells, each, count) = (job.cells(), job.grid.len(), job.motions().len());
+    let levels = cells / (each * count).max(1);
+    let size = size(&job, times, levels);
+    if motions.dry_run {
+        let seconds = job.estimate(&screen).map_err(sweep_error)?;
+        screen.clear();
+        // The requested answer is printed even with --quiet.
+        let say = Reporter::unless(false);
+        say.line("cells", format!("{size}, {cells} together"));
+        say.line("time", format!("about {} of sweep", duration(seconds)));
+        return Ok(None);
+    }
+    results_directory::open(&options.out)?;
+    let swept = job.run(&screen).map_err(sweep_error)?;
+    screen.clear();
+    if motions.resume {
+        say.line("resumed", format!("{} of {count} motions were done", swept.resumed));
+    }
+    let ran = cells - swept.resumed * each * levels;
+    if ran > 0 {
+        let speed = ran as f64 / swept.seconds.max(1.0e-9);
+        let text = format!("{size}, {:.2} s, {speed:.0} motions x cells a second", swept.seconds);
+        say.line("sweep", text);
+    }
+    if let Some(shard) = motions.tile {
+        tell_verified(&swept, say);
+        let folder = saved::folder(&options.out);
+        let joins = "the same command without --tile and with --resume joins the shards";
+        say.line("motions", format!("shard {shard} in {}; {joins}", folder.display()));
+        return Ok(None);
+    }
+    Ok(Some(swept))
+}
+
+/// Says what a device's numbers make of the base, and warns of a scene whose impacts take no energy.
+fn tell_of_base(job: &SuiteJob, options: &RunOptions) -> Result<(), InputError> {
+    let plan = options.plan(&job.scene).map_err(|error| flag_error(&error))?;
+    words::device(&Reporter::unless(options.quiet), None, &job.scene);
+    device_remarks::warn(&job.scene);
+    words::warn_of_lossless_impacts(&plan, &job.grid);
+    Ok(())
+}
+
+/// Warns of runs whose stroke no friction pendulum has.
+pub fn warn_of_radius(swept: &SuiteSweep) {
+    let (cells, largest) = swept.beyond_radius();
+    match (swept.grid.len(), cells) {
+        (_, 0) => {}
+        (1, _) => {
+            words::warn_of_radius(None, swept.scene.numbers.get(Parameter::Radius), largest);
+        }
+        _ => words::warn_of_radii(cells),
+    }
+}
+
+/// How much is swept, in words: cells, motions, what each is swept several times for, levels.
+fn size(job: &SuiteJob, (count, what): (usize, &str), levels: usize) -> String {
+    let counts: Vec<String> = job
+        .grid
+        .axes()
+        .iter()
+        .filter(|axis| axis.count() > 1)
+        .map(|axis| axis.count().to_string())
+        .collect();
+    let cells = match counts.is_empty() {
+        true => "1 cell".to_string(),
+        false => format!("{} cells", counts.join(" x ")),
+    };
+    // A shard has a part of them.
+    let motions = job.motions().len().div_ceil(count.max(1));
+    let mut text = format!("{cells} under {}", counted(motions, "motion"));
+    if count > 1 {
+        text += &format!(" with {count} {what}");
+    }
+    if levels > 1 {
+        text += &format!(" at {levels} levels");
+    }
+    text
+}
+
+/// Says what the reference says.
+fn tell_verified(swept: &SuiteSweep, say: &Reporter) {
+    let Verified { sampled, differ, inside, wrong } = &swept.verified;
+    if *sampled == 0 {
+        return;
+    }
+    say.line("reference", words::reference(*sampled as usize, *differ as usize, *inside as usize));
+    for place in wrong.iter().take(SHOWN) {
+        say.line("", place);
+    }
+}
+
+/// Wrong cells that are printed.
+const SHOWN: usize = 3;

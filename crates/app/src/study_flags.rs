@@ -1,25 +1,150 @@
-//! Flags that several studies of a suite have: limits, intervals, columns of a map, and the hazard of the site.
+//! Flags that studies of a suite have: the motions, limits, intervals, columns of a map, and the hazard of the site; and what run.json says of
+//! them.
 
 use std::path::{Path, PathBuf};
 
+use topple::backend::report::threads;
 use topple::results::column_set::ColumnSet;
 use topple::results::columns::Column;
+use topple::results::shard::Shard;
+use topple::results::store_error::StoreError;
 use topple::scene::Values;
+use topple::scene::builder::SceneBuilder;
+use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::path_text::PathText;
-use topple::scene::record::Units;
-use topple_manifest::{Drawn, Site, Unknown};
+use topple::scene::record::{Baseline, Units};
+use topple::sweep::error::SweepError;
+use topple::sweep::settings::Method;
+use topple_manifest::{Drawn, Site, Source, Study, Unknown};
 use topple_studies::Bootstrap;
 use topple_studies::fragility::{HazardText, hazard, hazard_text};
 use topple_studies::suites::columns::asked;
 use topple_studies::suites::envelope::Limits;
 use topple_studies::suites::intensity::Intensity;
-use topple_studies::suites::{Groups, Resample};
+use topple_studies::suites::read::Reading;
+use topple_studies::suites::swept::SuiteSweep;
+use topple_studies::suites::{Groups, Resample, Suite, SuiteRequest, saved};
 use topple_studies::uncertain::Varied;
 
-use super::inputs::{self, InputReader, Inputs};
+use super::call::Call;
+use super::errors::sweep_error;
+use super::inputs::{self, InputReader, Inputs, Repeats};
 use super::numbers::{number, seed};
+use super::options::{CommonFlags, RunOptions, Verify, flag_error};
 use super::written::one_of;
-use super::{InputError, words};
+use super::{InputError, interrupt, suite, words};
+
+/// The motions, and how they are run. What is refused under a suite is not in the help: a friction, and a scene's file.
+#[derive(clap::Args)]
+#[command(mut_args(|flag| without(flag, &["friction", "save_scene"])))]
+pub struct SuiteFlags {
+    /// Folder, zip or list of records, as for topple suite
+    #[arg(long, value_name = "PATH", help_heading = "Suite")]
+    pub suite: PathBuf,
+    /// Refuse a suite in which a file is missing, ambiguous or unused
+    #[arg(long, help_heading = "Suite")]
+    pub strict: bool,
+    /// What to subtract from the velocities of all components whose list says nothing of it, as for topple seismic [default: none]
+    #[arg(long, value_name = "none|line", value_parser = one_of::<Baseline>(), help_heading = "Suite")]
+    pub baseline: Option<Baseline>,
+    /// Take each motion twice, its horizontal component in both directions
+    #[arg(long, help_heading = "Suite")]
+    pub both_directions: bool,
+    /// Number of cells, of all motions together, that the reference computes again, or none [default: 128, or as many as 30 s allow]
+    #[arg(long, value_name = "N|none", help_heading = "Computing", allow_negative_numbers = true)]
+    verify: Option<Verify>,
+    /// Continue an interrupted run in the same directory, or join the shards that --tile wrote there
+    #[arg(long, help_heading = "Computing")]
+    pub resume: bool,
+    /// Run only the k-th of n shards of the motions and keep it in the directory for --resume
+    #[arg(long, value_name = "K/N", help_heading = "Computing")]
+    pub tile: Option<Shard>,
+    /// Run only a sample, and print the expected time
+    #[arg(long, help_heading = "Computing")]
+    pub dry_run: bool,
+    /// The run that this one repeats.
+    #[arg(skip)]
+    pub repeats: Option<Repeats>,
+}
+
+/// A flag, which the help leaves out if it is one of those that are refused.
+pub fn without(flag: clap::Arg, refused: &[&str]) -> clap::Arg {
+    let is_refused = refused.contains(&flag.get_id().as_str());
+    if is_refused { flag.hide(true) } else { flag }
+}
+
+impl SuiteFlags {
+    /// Checks what is said of the run, and makes a request of a scene.
+    pub fn request(
+        &self,
+        common: &CommonFlags,
+        options: &RunOptions,
+        text: SceneBuilder,
+    ) -> anyhow::Result<SuiteRequest> {
+        options.set_threads()?;
+        options.check_step().map_err(|error| flag_error(&error))?;
+        if common.save_scene.is_some() {
+            let problem = "--save-scene: a scene's file has no suite; leave it out";
+            return Err(InputError(problem.into()).into());
+        }
+        if saved::is_begun(&options.out) && !self.resume && self.tile.is_none() && !self.dry_run {
+            let error = SweepError::Folder(StoreError::Unfinished(options.out.clone()));
+            return Err(sweep_error(error));
+        }
+        let mut request = SuiteRequest::new(SceneBuilder { force: options.force, ..text });
+        request.both_directions = self.both_directions;
+        request.settings.saving = (!self.dry_run).then(|| saved::folder(&options.out));
+        request.settings.shard = self.tile;
+        let run = &mut request.settings.run;
+        run.backend = options.backend();
+        run.adapters.clone_from(&options.adapter);
+        run.method = options.method();
+        run.verify = Verify::settings(self.verify);
+        Ok(request)
+    }
+
+    /// Reads the suite; from here on Ctrl-C is heard.
+    pub fn read(&self) -> Result<Suite, InputError> {
+        interrupt::listen();
+        let reading = Reading { strict: self.strict, baseline: self.baseline };
+        let suite = Suite::read_as(&self.suite, reading).map_err(suite::input_error)?;
+        if let Some(Repeats { records, .. }) = &self.repeats {
+            inputs::unchanged(&suite, records).map_err(|problem| {
+                InputError(format!("--suite: {}: {problem}", self.suite.display()))
+            })?;
+        }
+        Ok(suite)
+    }
+
+    /// What run.json says of a sweep, each of its records once.
+    pub fn record(&self, swept: &SuiteSweep, suite: &Suite, options: &RunOptions) -> Study {
+        let runs: usize = swept.motions.iter().map(|motion| motion.outcomes.len()).sum();
+        let repeats = self.repeats.as_ref().map(|of| of.line.clone());
+        let Method { precision, largest_step, resolve, full_model, repair, .. } = options.method();
+        Study {
+            scene: Some(swept.scene.clone()),
+            device: DeviceNumbers::of(&swept.scene),
+            suite: Some(PathText(self.suite.clone())),
+            command: Some(repeats.unwrap_or_else(|| Call::current().command_line())),
+            motions: suite.motions().map(|(entry, _)| entry.id.clone()).collect(),
+            both_directions: self.both_directions,
+            records: Source::of(suite),
+            left_out: suite::left_out(suite),
+            backend: Some(swept.backend.into()),
+            adapter: swept.adapter.clone(),
+            threads: threads(),
+            precision: Some(precision),
+            largest_step,
+            resolve,
+            full_model,
+            repair,
+            cells: swept.grid.len(),
+            sweep_seconds: swept.seconds,
+            records_times_cells_per_second: runs as f64 / swept.seconds.max(1.0e-9),
+            pictures: options.pictures.record(),
+        }
+    }
+}
 
 /// The limits that a base must keep.
 #[derive(clap::Args)]
@@ -36,15 +161,9 @@ pub struct LimitFlags {
 }
 
 impl LimitFlags {
-    /// As they are requested.
+    /// As they are requested, and as run.json has them.
     pub fn limits(&self) -> Limits {
         Limits { standing: self.standing, u: self.limit_u, v: self.limit_v }
-    }
-
-    /// What run.json says of them.
-    pub fn record(&self) -> topple_manifest::Limits {
-        let standing = Some(self.standing);
-        topple_manifest::Limits { standing, limit_u: self.limit_u, limit_v: self.limit_v }
     }
 }
 
@@ -120,9 +239,6 @@ impl HazardFlags {
     }
 
     /// Reads it, over a measure.
-    ///
-    /// # Errors
-    /// What is wrong with the file, and what to do.
     pub fn read(
         &self,
         im: Intensity,

@@ -8,15 +8,14 @@ use topple::backend::report::threads;
 use topple::model::precision::Precision;
 use topple::results::earlier::Kind;
 use topple::scene::path_text::PathText;
-use topple::scene::record::{Baseline, Provenance};
+use topple::scene::record::Baseline;
 use topple::scene::shown;
-use topple_manifest::{Run, Source, Sources, SuiteRun};
+use topple_manifest::{Run, Source, SuiteRun};
 use topple_pictures::studies::suite as picture;
 use topple_studies::suites::read::Reading;
 use topple_studies::suites::{Suite, SuiteError, table};
 
 use super::call::Call;
-use super::inputs::PUT_BACK;
 use super::picture_flags::PictureFlags;
 use super::results_directory::Place;
 use super::words::{self, Reporter, counted, with_columns};
@@ -47,38 +46,6 @@ pub struct SuiteCommand {
     quiet: bool,
     #[command(flatten)]
     pictures: PictureFlags,
-}
-
-/// Refuses a suite that is not the one of an earlier run: a motion that is gone, is new, or has changed. An earlier run that
-/// tells of no motions has none that could have changed.
-///
-/// # Errors
-/// The first of them, and what to do.
-pub fn unchanged(suite: &Suite, earlier: &Sources) -> Result<(), String> {
-    if earlier.is_empty() {
-        return Ok(());
-    }
-    let now: BTreeMap<&str, _> =
-        suite.motions().map(|(entry, motion)| (entry.id.as_str(), (entry, motion))).collect();
-    for (id, before) in earlier {
-        let named = shown::shown(id);
-        let Some((entry, motion)) = now.get(id.as_str()) else {
-            return Err(format!("the motion {named} of the run is gone; {PUT_BACK}"));
-        };
-        let bare = |files: Option<&Provenance>| files.map(Provenance::without_folders);
-        let same = bare(before.files.as_ref()) == bare(motion.pair.provenance.as_deref())
-            && (before.scale, before.weight) == (entry.scale, entry.weight);
-        if !same {
-            return Err(format!("the motion {named} has changed since the run; {PUT_BACK}"));
-        }
-    }
-    match now.keys().find(|id| !earlier.contains_key(**id)) {
-        Some(new) => {
-            let new = shown::shown(new);
-            Err(format!("the motion {new} was not there in the run; {PUT_BACK}"))
-        }
-        None => Ok(()),
-    }
 }
 
 /// Most reasons that are printed one by one.

@@ -4,7 +4,6 @@ use serde_json::{Value, json};
 
 use super::first::first;
 use super::frame::type_of;
-use super::ranges::handy;
 use super::session::Session;
 use super::shown::shown;
 use super::stages::MOST;
@@ -20,7 +19,7 @@ use topple::stepping::outcome::Class;
 use topple_pictures::colours::Colour;
 use topple_pictures::colours::palette::{CURVES, DOTTED, FALLEN, Kind, MARKED, OUTLINE, dots};
 use topple_pictures::colours::ramp::{GREYS, PROBABILITY};
-use topple_pictures::map::figure::fields::{CONTACT, FIELDS};
+use topple_pictures::map::figure::fields;
 
 /// A colour as a page writes it.
 fn hex([r, g, b]: Colour) -> String {
@@ -111,11 +110,12 @@ fn kinds() -> Vec<Value> {
     told.collect()
 }
 
-/// The table of parameters, each with the range of its slider.
+/// The table of parameters, each with the range of its slider and its group.
 fn parameters() -> Vec<Value> {
     let with_range = |(entry, described): (&Entry, Description)| {
         let mut told = json!(described);
-        told["handy"] = json!(handy(entry.parameter));
+        told["handy"] = json!(entry.slider);
+        told["group"] = json!(entry.group);
         told
     };
     PARAMETERS.iter().zip(description::parameters()).map(with_range).collect()
@@ -133,12 +133,6 @@ fn codes() -> Value {
         "overturned": overturned.map(|(code, _)| code).collect::<Vec<usize>>(),
         "unresolved": Class::ALL.iter().position(|class| *class == Class::Unresolved),
     })
-}
-
-/// The columns of which a small value is dark.
-fn falls() -> Vec<&'static str> {
-    let falls = FIELDS.iter().chain(&CONTACT).filter(|field| field.falls);
-    falls.map(|field| field.column.entry().name).collect()
 }
 
 /// All that does not depend on a session.
@@ -164,7 +158,7 @@ pub fn tables() -> Value {
             "outline": hex(OUTLINE),
             "now": hex(CURVES[1]),
             "greys": GREYS,
-            "falls": falls(),
+            "falls": fields::falling(),
             "probability": PROBABILITY,
         },
         "limits": { "cells": MOST },

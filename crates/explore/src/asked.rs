@@ -84,9 +84,6 @@ pub fn axes(flat: &Flat) -> Result<[Parameter; 2], Refused> {
 }
 
 /// Reads a scene whose axes have a given number of values; none: every number is single.
-///
-/// # Errors
-/// The first key at fault.
 pub fn builder(flat: &Flat, count: Option<[u32; 2]>) -> Result<SceneBuilder, Refused> {
     let counted = match count {
         Some(count) => axes(flat)?.into_iter().zip(count).collect(),

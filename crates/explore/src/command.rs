@@ -36,9 +36,6 @@ pub struct MapRequest {
 }
 
 /// The command line and the file that make the map in view.
-///
-/// # Errors
-/// The first key at fault.
 pub fn run(session: &Session, request: &MapRequest) -> Result<Value, Refused> {
     // The cells of the view at its finest.
     let count = Stages::of(&request.scene, request.count)?.count(0);
@@ -60,9 +57,6 @@ pub fn run(session: &Session, request: &MapRequest) -> Result<Value, Refused> {
 }
 
 /// The scene's file.
-///
-/// # Errors
-/// Those of the writer.
 pub fn toml(session: &Session, given: &SceneBuilder) -> Result<String, Refused> {
     let mut written = given.clone();
     if let Some(record) = &mut written.record {

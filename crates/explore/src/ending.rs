@@ -6,9 +6,6 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Listens from here on: the flag is set when the process is to end.
-///
-/// # Errors
-/// Those of the system.
 #[cfg(unix)]
 pub fn listen() -> io::Result<Arc<AtomicBool>> {
     use tokio::signal::unix::{SignalKind, signal};
@@ -27,9 +24,6 @@ pub fn listen() -> io::Result<Arc<AtomicBool>> {
 }
 
 /// The same where the terminal's window is closed, or the system is shut down.
-///
-/// # Errors
-/// Those of the system.
 #[cfg(windows)]
 pub fn listen() -> io::Result<Arc<AtomicBool>> {
     use tokio::signal::windows::{ctrl_close, ctrl_shutdown};

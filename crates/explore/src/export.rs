@@ -146,9 +146,6 @@ pub fn earlier(directory: &Path) -> Result<Vec<String>, ExportError> {
 }
 
 /// All files of an export.
-///
-/// # Errors
-/// Those of the stored maps.
 fn files(session: &Session, stop: &AtomicBool) -> Result<Vec<File>, ExportError> {
     let scene = exported(&session.first);
     let pair = record(session)?;

@@ -14,9 +14,6 @@ pub struct NoToken;
 
 impl Token {
     /// A new one, of the system's random numbers.
-    ///
-    /// # Errors
-    /// [`NoToken`].
     pub fn new() -> Result<Token, NoToken> {
         let mut bytes = [0_u8; LETTERS / 2];
         getrandom::fill(&mut bytes).map_err(|_| NoToken)?;
@@ -97,9 +94,6 @@ fn is_this_machine(host: &str) -> bool {
 ///
 /// A foreign page can have a browser send requests here: it does not know the token, its origin is another one, and
 /// under a name of its own that leads here (DNS rebinding) the host is.
-///
-/// # Errors
-/// Why it is not.
 pub fn let_in<'a>(token: &Token, said: &Credentials<'a>) -> Result<&'a str, Refusal> {
     let host = said.host.filter(|host| is_this_machine(host)).ok_or(Refusal::Host)?;
     let is_foreign = said.origin.is_some_and(|origin| origin != format!("http://{host}"))

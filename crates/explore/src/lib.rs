@@ -18,7 +18,6 @@ pub(crate) mod first;
 pub mod frame;
 pub mod guard;
 pub mod page;
-pub mod ranges;
 pub mod records;
 pub mod refused;
 pub mod room;

@@ -82,9 +82,6 @@ fn name_for(
 
 impl Records {
     /// The folder that goes with the session.
-    ///
-    /// # Errors
-    /// Errors of the disk.
     pub fn folder(&self) -> io::Result<PathBuf> {
         // What is stored is whole, whoever panicked.
         let mut folder = self.folder.lock().unwrap_or_else(PoisonError::into_inner);
@@ -159,9 +156,6 @@ impl Records {
     }
 
     /// Checks a scene, under its record where it has one.
-    ///
-    /// # Errors
-    /// The first key at fault.
     pub fn check(&self, given: &SceneBuilder) -> Result<Scene, Refused> {
         let Some(text) = &given.record else { return Ok(given.check()?) };
         // Files of the computer are known to a page by what was dropped on it alone.

@@ -22,9 +22,6 @@ pub struct Taken {
 
 impl Room {
     /// Takes room for so many bytes.
-    ///
-    /// # Errors
-    /// That there is no more.
     pub fn take(&self, bytes: u64) -> Result<Taken, Refused> {
         let more = |taken: u64| taken.checked_add(bytes).filter(|sum| *sum <= MOST);
         match self.0.fetch_update(Ordering::Relaxed, Ordering::Relaxed, more) {

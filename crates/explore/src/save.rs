@@ -15,8 +15,7 @@ use topple::results::{csv, npz};
 use topple_pictures::drawing::letters;
 use topple_pictures::drawing::picture::Picture;
 use topple_pictures::drawing::print::Print;
-use topple_pictures::map::figure::fields::{CONTACT, FIELDS};
-use topple_pictures::map::figure::{field, main};
+use topple_pictures::map::figure::{field, fields, main};
 
 /// A kind of file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
@@ -52,9 +51,6 @@ pub struct SaveRequest {
 }
 
 /// The bytes of a file, and what a browser calls it.
-///
-/// # Errors
-/// The first key at fault; that it was ended.
 pub fn run(
     session: &Session,
     request: &SaveRequest,
@@ -69,10 +65,8 @@ pub fn run(
     }
     let ready = session.ready(scene, count, *precision)?;
     let map = sweep(&ready, stop)?;
-    let shown = FIELDS.iter().chain(&CONTACT);
-    let mut shown =
-        shown.filter(|field| request.show.as_deref() == Some(field.column.entry().name));
-    let field = shown.next();
+    let field =
+        fields::all().find(|field| request.show.as_deref() == Some(field.column.entry().name));
     let picture = || -> Result<Picture, Refused> {
         let map = whole(&map)?;
         Ok(match field {

@@ -44,9 +44,6 @@ fn between(values: &Values, from: f64, to: f64, share: f64) -> f64 {
 }
 
 /// Runs the cells along a line.
-///
-/// # Errors
-/// The first key at fault; that it was ended.
 pub fn run(
     session: &Session,
     request: &SectionRequest,

@@ -63,9 +63,6 @@ impl Server {
     }
 
     /// Serves the page of a session until `ended`, or until the system tells the process to end.
-    ///
-    /// # Errors
-    /// Those of the system.
     pub fn serve(self, session: Session, ended: impl Fn() -> bool) -> Result<(), ServeError> {
         let session = Arc::new(session);
         let Server { listener, at, token } = self;

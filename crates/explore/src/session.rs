@@ -57,9 +57,6 @@ pub struct Ready {
 
 impl Session {
     /// A session on backends that are opened at once, so that what is wrong with them is told before a page is.
-    ///
-    /// # Errors
-    /// Those of the backends, and of the disk.
     pub fn open(settings: Settings, records: Records, first: Flat) -> Result<Session, SweepError> {
         let suites = Suites::default();
         let (opened, views) = (Default::default(), Mutex::default());
@@ -69,9 +66,6 @@ impl Session {
     }
 
     /// The backends for a number type; the CPU where a GPU does not have f64.
-    ///
-    /// # Errors
-    /// Those of the backends.
     pub fn opened(&self, precision: Precision) -> Result<Arc<OpenBackends>, SweepError> {
         let place = &self.opened[usize::from(precision == Precision::F64)];
         // What is stored is whole, whoever panicked.
@@ -91,9 +85,6 @@ impl Session {
     }
 
     /// The scene of a request, ready.
-    ///
-    /// # Errors
-    /// The first key at fault; those of the backends.
     pub fn ready(
         &self,
         flat: &Flat,

@@ -21,9 +21,6 @@ const COUNTS: [(&str, u32); 2] = [("coarse", 13), ("fine", FINEST)];
 pub const FINEST: u32 = 49;
 
 /// Computes a view of a scene under a suite: `send` and `tell` are handed frames as those of [`super::view::run`] are.
-///
-/// # Errors
-/// The first key at fault; those of a sweep; that it was ended.
 pub fn run(
     session: &Session,
     request: &ViewRequest,

@@ -152,9 +152,6 @@ impl Suites {
     }
 
     /// [`Suites::get`] where `read` reads a suite that is not in memory: its folder, and the names of its zip or list.
-    ///
-    /// # Errors
-    /// Those of [`Suites::get`].
     pub fn get_by(
         &self,
         id: &str,

@@ -36,9 +36,6 @@ const MOST: usize = 4096;
 const SIDE: u32 = 513;
 
 /// Sweeps a view and has the reference run a sample of it.
-///
-/// # Errors
-/// The first key at fault; that it was ended.
 pub fn run(
     session: &Session,
     request: &VerifyRequest,

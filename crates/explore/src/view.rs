@@ -49,9 +49,6 @@ pub const TAKEN_OVER: u8 = 8;
 
 /// Computes a view; `send` is handed its pictures as frames, and says whether there is still somebody to take them; `tell` is
 /// handed frames that say how far a picture is.
-///
-/// # Errors
-/// The first key at fault; those of a sweep; that it was ended.
 pub fn run(
     session: &Session,
     request: &ViewRequest,
@@ -126,9 +123,6 @@ pub fn run(
 }
 
 /// Sweeps a scene that is ready.
-///
-/// # Errors
-/// Those of a sweep; that it was ended.
 pub fn sweep(ready: &Ready, observer: &dyn Observer) -> Result<MapSweep, SweepError> {
     let job = Job::on(&ready.opened, &ready.scene, &[], &ready.settings)?;
     match job.run(None, observer)? {
@@ -177,9 +171,6 @@ fn arrays<'a>(map: &Map, columns: &'a [String]) -> Vec<(&'a str, ColumnValues)> 
 }
 
 /// A sweep as a map in memory.
-///
-/// # Errors
-/// Those of reading.
 pub fn whole(map: &MapSweep) -> Result<Map<'_>, Refused> {
     let outcomes = map.outcomes.read(0..map.grid.len(), &Column::ALL)?;
     let (grid, columns) = (map.grid.clone(), map.method.columns);

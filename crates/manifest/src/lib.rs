@@ -23,7 +23,7 @@ pub use map::{
 };
 pub use pictures::Pictures;
 pub use study::{
-    Comparison, DeviceRun, Drawn, Envelope, Fragility, Limits, Site, Study, StudyRun, Unknown,
+    Comparison, DeviceRun, Drawn, Envelope, Fragility, Site, Study, StudyRun, Unknown,
 };
 pub use suite::{Source, Sources, SuiteRun};
 
@@ -92,9 +92,6 @@ struct Common {
 
 impl Manifest {
     /// Reads the text of a run.json.
-    ///
-    /// # Errors
-    /// What is wrong with it.
     pub fn parse(text: &str) -> serde_json::Result<Manifest> {
         let Common { kind, version, commit, date, warnings, files } = serde_json::from_str(text)?;
         let run = match kind {

@@ -19,9 +19,6 @@ pub struct Pictures {
     /// Their colours.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub palette: Option<Palette>,
-    /// Letters of SVG are outlines.
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
-    pub outline_text: bool,
 }
 
 impl Pictures {

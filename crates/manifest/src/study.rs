@@ -8,7 +8,7 @@ use topple::model::precision::Precision;
 use topple::scene::Scene;
 use topple::scene::device_numbers::DeviceNumbers;
 use topple::scene::path_text::PathText;
-use topple_studies::suites::envelope::Best;
+use topple_studies::suites::envelope::{Best, Limits};
 use topple_studies::suites::intensity::Intensity;
 use topple_studies::suites::resample::Resample;
 use topple_studies::suites::verified::Verified;
@@ -175,18 +175,6 @@ pub struct DeviceRun {
     pub device: String,
     /// Its scene under the first motion.
     pub scene: Scene,
-}
-
-/// Limits that a base must keep.
-#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Limits {
-    /// Share of the motions under which the block must stand.
-    pub standing: Option<f64>,
-    /// Largest |u|, m.
-    pub limit_u: Option<f64>,
-    /// Largest stroke of v, m.
-    pub limit_v: Option<f64>,
 }
 
 /// What intervals are made of.

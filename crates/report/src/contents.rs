@@ -15,9 +15,6 @@ use super::tables::{ROWS, number};
 use super::{block, findings, summary};
 
 /// The report of runs, under a title of theirs where none is given.
-///
-/// # Errors
-/// [`ReportError`]: a file of a run that cannot be read.
 pub fn of(folders: &[Folder], asked: Option<&str>) -> Result<Document, ReportError> {
     let mut pieces = vec![Piece::Heading(1, "In short".into())];
     for folder in folders {

@@ -7,12 +7,12 @@ use topple::results::earlier::Kind;
 use topple::scene::words;
 use topple::stepping::outcome::Class;
 use topple_manifest::{
-    Comparison, Envelope, HistoryRun, Limits, MapRun, Motion, MotionRead, ProbabilityRun, Run,
-    StudyRun, SuiteRun,
+    Comparison, Envelope, HistoryRun, MapRun, Motion, MotionRead, ProbabilityRun, Run, StudyRun,
+    SuiteRun,
 };
 use topple_pictures::drawing::share::{given, percent};
-use topple_studies::Best;
 use topple_studies::uncertain::Varied;
+use topple_studies::{Best, Limits};
 
 use super::document::Piece;
 use super::folder::{Folder, ReportError, Row, Rows};
@@ -80,9 +80,6 @@ pub fn question(folder: &Folder) -> String {
 }
 
 /// The pictures and tables of a run, each with what it means.
-///
-/// # Errors
-/// [`ReportError`]: a file that cannot be read.
 pub fn of(folder: &Folder) -> Result<Vec<Piece>, ReportError> {
     let mut pieces = match folder.run() {
         Run::Map(run) => outcomes(run),
@@ -205,9 +202,6 @@ pub fn motion(run: &HistoryRun) -> String {
 }
 
 /// The motions of a suite: the rows of its table that have numbers. The others are lines without a motion.
-///
-/// # Errors
-/// [`ReportError::File`]: a table that cannot be read.
 pub fn motions(folder: &Folder) -> Result<Rows, ReportError> {
     let mut rows = folder.table("suite.csv")?.unwrap_or_default();
     rows.retain(|row| value(row, "pga_h").is_some());
@@ -246,17 +240,15 @@ fn suite(folder: &Folder, run: &SuiteRun) -> Result<Vec<Piece>, ReportError> {
 
 /// What a base must keep, in a sentence.
 pub fn limits(folder: &Folder, of: &Limits) -> String {
-    let share = of.standing.unwrap_or(1.0);
-    let mut text = match share {
+    let mut text = match of.standing {
         1.0 => "Limits: the block stands under all motions".to_string(),
         share => {
             format!("Limits: the block stands under at least {} of the motions", given(share))
         }
     };
-    for (limit, what) in [
-        (of.limit_u, "the base moves horizontally by at most"),
-        (of.limit_v, "its vertical stroke is at most"),
-    ] {
+    for (limit, what) in
+        [(of.u, "the base moves horizontally by at most"), (of.v, "its vertical stroke is at most")]
+    {
         if let Some(limit) = limit {
             text += &format!("; {what} {limit} m");
         }
@@ -279,9 +271,6 @@ pub fn kept(folder: &Folder, run: &StudyRun<Envelope>) -> String {
 }
 
 /// The best base of an envelope, by its place on the axes, with its strokes and its reserve; none where no base keeps its limits.
-///
-/// # Errors
-/// [`ReportError::File`]: a table that cannot be read.
 pub fn best(folder: &Folder, run: &StudyRun<Envelope>) -> Result<Option<String>, ReportError> {
     let rows = folder.table("envelope.csv")?.unwrap_or_default();
     let Some(row) = run.own.best_cell.and_then(|cell| rows.get(cell)) else { return Ok(None) };

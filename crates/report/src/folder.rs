@@ -79,9 +79,6 @@ impl Folder {
     }
 
     /// The pictures, by their names without an ending.
-    ///
-    /// # Errors
-    /// [`ReportError::File`]: one that cannot be read.
     pub fn pictures(&self) -> Result<Vec<(&str, Picture)>, ReportError> {
         let names = self.manifest.files.iter().filter_map(|name| name.strip_suffix(".svg"));
         names.map(|name| Ok((name, self.picture(name)?))).collect()
@@ -106,9 +103,6 @@ impl Folder {
     }
 
     /// The rows of a table; none where the run has none of this name.
-    ///
-    /// # Errors
-    /// [`ReportError::File`]: one that cannot be read.
     pub fn table(&self, name: &str) -> Result<Option<Rows>, ReportError> {
         if !self.manifest.files.iter().any(|file| file == name) {
             return Ok(None);

@@ -32,9 +32,6 @@ fn label(run: &Fragility) -> String {
 }
 
 /// What is found of overturning, in sentences: of one block or base its median and its rate, of several how many have which.
-///
-/// # Errors
-/// [`ReportError::File`]: a table that cannot be read.
 pub fn shortly(folder: &Folder, run: &Fragility) -> Result<Vec<String>, ReportError> {
     let overturning = |rows: Option<Rows>| {
         let rows = rows.into_iter().flatten();
@@ -176,9 +173,6 @@ pub fn intervals(drawn: &Drawn) -> Option<String> {
 }
 
 /// How sure the curves are, in sentences.
-///
-/// # Errors
-/// [`ReportError::File`]: a table that cannot be read.
 pub fn sureness(folder: &Folder, run: &Fragility) -> Result<Vec<String>, ReportError> {
     let mut told: Vec<String> = intervals(&run.drawn).into_iter().collect();
     let rates = rows(folder, run, "rates.csv")?.unwrap_or_default();
@@ -223,9 +217,6 @@ fn site(run: &Fragility, label: &str) -> Vec<Piece> {
 }
 
 /// The pieces of a fragility.
-///
-/// # Errors
-/// [`ReportError::File`]: a table that cannot be read.
 pub fn of(folder: &Folder, run: &Fragility) -> Result<Vec<Piece>, ReportError> {
     let (label, by) = (label(run), estimator(run));
     let axes: Vec<(String, String)> = axes(folder);

@@ -41,9 +41,6 @@ pub fn mark() -> String {
 }
 
 /// The pages, and which letters of them no font has.
-///
-/// # Errors
-/// [`FigureError`]: a picture that cannot be drawn.
 pub fn write(document: &Document) -> Result<(Vec<u8>, Option<Missing>), FigureError> {
     let mut paper = Paper::new();
     paper.text(&document.title, 17.0, 0.0);

@@ -13,9 +13,6 @@ use super::{along, findings, fragility};
 const NAMED: usize = 6;
 
 /// The three, a line each.
-///
-/// # Errors
-/// [`ReportError::File`]: a table that cannot be read.
 pub fn of(folder: &Folder) -> Result<Vec<String>, ReportError> {
     let mut sure = vec![sentence(&checked(folder))];
     match folder.run() {

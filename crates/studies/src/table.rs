@@ -189,9 +189,6 @@ impl<'a> Table<'a> {
     }
 
     /// Writes it as CSV: a header, then the rows.
-    ///
-    /// # Errors
-    /// Those of the writer.
     pub fn write(self, writer: impl Write) -> io::Result<()> {
         let Table { grid, columns, rows } = self;
         let mut csv = csv::Writer::from_writer(writer);

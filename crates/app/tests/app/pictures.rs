@@ -317,42 +317,6 @@ fn a_grey_print_has_no_colours() {
     room.refuses(&format!("{} --palette red --out ./none", map()), &["--palette"]);
 }
 
-/// Letters as outlines: the picture is the same, in the same size, and needs no font; a repetition keeps them.
-#[test]
-fn letters_become_outlines_where_they_are_asked_for() {
-    let room = Room::new();
-    for (line, name) in [
-        (map(), "map"),
-        (RECORD.into(), "contact"),
-        (format!("history {CELL} {HISTORY}"), "history"),
-    ] {
-        let line = format!("{line} --font-size 8");
-        run(&room, &line, "plain");
-        run(&room, &format!("{line} --outline-text"), "out");
-        let [text, outlined] = ["plain", "out"].map(|out| svg(&room, &format!("{out}/{name}")));
-        assert!(text.matches("<text").count() > 8, "{name}");
-        assert!(!outlined.contains("<text") && !outlined.contains("font-family"), "{name}");
-        assert!(outlined.matches("<path").count() > text.matches("<path").count(), "{name}");
-        let size = |svg: &str| {
-            ["width", "height"].map(|side| {
-                let marker = format!(" {side}=\"");
-                let length = svg.split(&marker).nth(1).unwrap().split_once("mm\"").unwrap().0;
-                length.parse::<f64>().unwrap()
-            })
-        };
-        // A length of the one is written to hundredths of a millimetre.
-        let (text, outlined) = (size(&text), size(&outlined));
-        let apart = text.iter().zip(outlined).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        assert!(apart < 0.02, "{name}: {text:?} {outlined:?}");
-        let [one, other] = ["plain", "out"].map(|out| room.bytes(&format!("{out}/{name}.png")));
-        let apart = differing(&one, &other);
-        assert!(apart < 0.002, "{name}: {apart}");
-        run(&room, "run ./out", "again");
-        room.same("out", "again", &[&format!("{name}.svg")]);
-        ["plain", "out", "again"].iter().for_each(|out| room.remove(out));
-    }
-}
-
 /// Numbers on the lines of a map do not lie in heaps: each has room around it, one of the same value more.
 #[test]
 fn numbers_on_lines_are_apart() {
@@ -406,14 +370,6 @@ fn one_cell_is_told_in_words() {
         let pictures = room.names(folder).into_iter().filter(|name| name.ends_with(".svg"));
         assert_eq!(pictures.count(), 1, "{folder}");
     }
-}
-
-/// The share of the pixels of two pictures that differ by more than the edge of a letter does.
-fn differing(one: &[u8], other: &[u8]) -> f64 {
-    let [one, other] = [one, other].map(|png| pixels(png).1);
-    assert_eq!(one.len(), other.len());
-    let apart = one.iter().zip(&other).filter(|(a, b)| a.abs_diff(**b) > 24).count();
-    apart as f64 / one.len() as f64
 }
 
 /// The spectra of a map are the least values of its cells, and are repeated with it.

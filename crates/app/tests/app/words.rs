@@ -278,3 +278,14 @@ fn what_the_reference_says_is_a_sentence_for_each_case() {
     let wrong = reference(128, 3, 2);
     assert!(wrong.contains("3 outcomes differ, 2 of them inside an area of one outcome: wrong"));
 }
+
+/// The times that `-v` prints are those of run.json, that of the sweep among them.
+#[test]
+fn times_are_those_of_the_run() {
+    let room = Room::new();
+    let map = "pulse --object 1 --t-h 1.75 --t-v 0.75 --t-max 5 --omega 3:12:10 --a-h 1:12:10";
+    let said = room.run(&format!("{map} --backend reference -v --out ./out"));
+    let sweep = room.json("out")["timings"]["sweep"].as_f64().unwrap();
+    assert!(sweep > 0.005, "{sweep}");
+    said.has(&format!(", sweep {sweep:.2} s, counting "));
+}

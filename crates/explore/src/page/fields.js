@@ -10,14 +10,6 @@ const NAMES = { object: 'Block', isolation: 'Moves', pressure: 'Pendulum pressed
 const LABELS = { object: (value, label) => `${value} ${label}`, shape: (value) => value.replaceAll('-', ' ') };
 /** A choice that is the page's own. */
 const FORCE = { key: 'force', section: 'run', first: 'false', values: [{ value: 'false', label: 'are refused' }, { value: 'true', label: 'are accepted' }] };
-/** Numbers that few scenes have, in groups that are closed until they are needed. */
-const GROUPS = {
-  'Another measure of it': ['offset', 'size', 'slenderness', 'inertia'],
-  'When it yields': ['psi', 'alpha_y', 'u_y', 'yield_force', 'bouc_wen_n'],
-  'End stop': ['stop_gap', 'stop_stiffness', 'stop_xi'],
-  'Vertical spring that hardens': ['v_hardening', 'static_deflection'],
-};
-const groupOf = (key) => Object.keys(GROUPS).find((name) => GROUPS[name].includes(key));
 /** Sections that are closed at first. */
 const CLOSED = new Set(['run']);
 
@@ -52,8 +44,8 @@ export function createFields(about, store, act) {
     for (const parameter of about.parameters.filter((entry) => entry.section === key)) {
       const row = createRow(parameter, { change, axis, ofDevice });
       rows.push(row);
-      const name = groupOf(parameter.key);
-      (name ? group(name) : body).append(row.element);
+      // Numbers that few scenes have are in groups, which are closed until they are needed.
+      (parameter.group ? group(parameter.group) : body).append(row.element);
     }
     const details = make('details', { class: 'section', open: !CLOSED.has(key), 'data-section': key }, make('summary', {}, heading), body);
     sections.push({ section, details });

@@ -1,12 +1,10 @@
 use topple::scene::parameters::PARAMETERS;
 
-use topple_explore::ranges::handy;
-
 /// What a slider gives is accepted without `force`, but for ends that a number may not have itself.
 #[test]
 fn ranges_lie_among_legal_and_plausible_numbers() {
     for entry in PARAMETERS {
-        let range = handy(entry.parameter);
+        let range = entry.slider;
         assert!(range.low < range.high, "{}", entry.key);
         assert!(!range.log || range.low > 0.0, "{}", entry.key);
         let inside = |share: f64| range.low + share * (range.high - range.low);

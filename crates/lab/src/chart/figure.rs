@@ -129,9 +129,6 @@ fn lines(rows: &[Row]) -> Vec<Line<'_>> {
 }
 
 /// Draws the chart of one bench.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn draw(title: &str, rows: &[Row]) -> Result<Picture, FigureError> {
     let lines = lines(rows);
     let panels: Vec<&Panel> =

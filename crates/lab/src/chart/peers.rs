@@ -104,9 +104,6 @@ pub enum PeerError {
 }
 
 /// Writes cells.csv.
-///
-/// # Errors
-/// Those of the writer.
 pub fn write_cells(benches: &[Bench], writer: impl Write) -> Result<(), csv::Error> {
     let mut table = csv::Writer::from_writer(writer);
     for bench in benches.iter().filter(|bench| bench.whole) {
@@ -154,9 +151,6 @@ pub fn write_cells(benches: &[Bench], writer: impl Write) -> Result<(), csv::Err
 }
 
 /// Writes record.csv: the samples of the first record among the benches, m/s^2.
-///
-/// # Errors
-/// Those of the writer.
 pub fn write_record(benches: &[Bench], writer: impl Write) -> Result<(), csv::Error> {
     let mut table = csv::Writer::from_writer(writer);
     table.write_record(["horizontal", "vertical"])?;
@@ -218,9 +212,6 @@ pub struct Peer {
 }
 
 /// Another program's results on the cells of the benches.
-///
-/// # Errors
-/// Any [`PeerError`].
 pub fn read(reader: impl Read, benches: &[Bench]) -> Result<Vec<Peer>, PeerError> {
     let mut trials: BTreeMap<(usize, String), Vec<Solved>> = BTreeMap::new();
     for result in csv::Reader::from_reader(reader).deserialize() {

@@ -145,9 +145,6 @@ pub fn read(reader: impl Read, benches: &[&'static str]) -> Result<Vec<Row>, Tab
 }
 
 /// Writes the table.
-///
-/// # Errors
-/// Those of the writer.
 pub fn write(rows: &[Row], writer: impl Write) -> Result<(), csv::Error> {
     let mut table = csv::Writer::from_writer(writer);
     for row in rows {

@@ -132,9 +132,6 @@ impl Trial {
 
     /// Runs a bench's cells: their solutions, and the time that it took. The runs that are timed keep
     /// no switches.
-    ///
-    /// # Errors
-    /// Any [`TrialError`].
     pub fn run(
         &self,
         bench: &Bench,

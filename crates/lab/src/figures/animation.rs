@@ -76,9 +76,6 @@ impl<'a> Moving<'a> {
 }
 
 /// Draws cells as an animated GIF that runs for the longest of them, in their own time.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn draw(title: &str, cells: &[Moving]) -> Result<Vec<u8>, FigureError> {
     let seconds = cells.iter().map(|moving| moving.cell.seconds).fold(0.0, f64::max);
     let frames = (seconds * RATE).ceil() as u32;

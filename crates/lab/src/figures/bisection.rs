@@ -82,9 +82,6 @@ impl ReferenceWord {
 
 impl Curve<'_> {
     /// Bisects all brackets at once by the sweep's own method in f64, where the backends have it.
-    ///
-    /// # Errors
-    /// Those of the plan and of the backends; that it was cancelled.
     pub fn points(
         &self,
         brackets: &[Bracket],
@@ -131,9 +128,6 @@ impl Curve<'_> {
 
     /// Asks the reference at points evenly spread over a curve, so many: it looks for the change near the curve's and
     /// bisects it. Their [`CurvePoint::reference`] is filled in.
-    ///
-    /// # Errors
-    /// Those of the plan; that it was cancelled.
     pub fn ask_reference(
         &self,
         points: &mut [CurvePoint],

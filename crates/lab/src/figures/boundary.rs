@@ -49,9 +49,6 @@ pub fn within(grid: &Grid) -> f64 {
 }
 
 /// The boundary of a swept map, a value a column, and what the reference says of it.
-///
-/// # Errors
-/// Those of the plan and of the backends; that it was cancelled.
 pub fn least(
     scene: &Scene,
     outcomes: &[Outcome],
@@ -90,9 +87,6 @@ pub fn least(
 }
 
 /// Writes boundaries: one row per frequency, with and without isolation.
-///
-/// # Errors
-/// Those of the writer.
 pub fn write(isolated: &[Least], free: &[Least], writer: impl Write) -> Result<(), csv::Error> {
     let mut table = csv::Writer::from_writer(writer);
     table.write_record([

@@ -62,9 +62,6 @@ impl Curves<'_> {
 }
 
 /// Draws, for every panel, the least amplitude that overturns with isolation and without.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn boundaries(
     figure: &Figure,
     curves: &[(Vec<Least>, Vec<Least>)],
@@ -111,9 +108,6 @@ fn classes() -> [(Colour, String); 8] {
 }
 
 /// Draws, for every panel, the shares of the outcomes against the eccentricity.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn shares(
     figure: &Figure,
     rows: &[Vec<(f64, Shares)>],

@@ -48,9 +48,6 @@ struct Seen {
 
 /// Draws the panels of a figure; `maps` has one a panel, `caption` follows what the
 /// figure says itself.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn draw(figure: &Figure, maps: &[Map], caption: &[String]) -> Result<Picture, FigureError> {
     let columns = figure.columns;
     let scales = scales(figure, maps);

@@ -23,9 +23,6 @@ const GAP: f64 = 5.0;
 
 /// Draws what a path meets: impact counts above, outcomes as a strip below. The map is one
 /// column wide.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn draw(title: &str, map: &Map, caption: &str) -> Result<Picture, FigureError> {
     let rows = map.grid.y().map_or_else(|| Values::from(0.0), |axis| axis.values.clone());
     let fallen = || map.outcomes.iter().enumerate().filter(|(_, cell)| cell.class.overturned());

@@ -89,9 +89,6 @@ pub fn at(scene: &Scene, eccentricity: f64) -> Scene {
 }
 
 /// Writes shares, a row an eccentricity.
-///
-/// # Errors
-/// Those of the writer.
 pub fn write(rows: &[(f64, Shares)], writer: impl Write) -> Result<(), csv::Error> {
     let mut table = csv::Writer::from_writer(writer);
     table.write_field("eccentricity")?;

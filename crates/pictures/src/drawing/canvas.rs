@@ -13,7 +13,6 @@ pub struct Canvas {
     width: f64,
     scale: f64,
     palette: Palette,
-    outlines: bool,
     marks: Vec<Mark>,
 }
 
@@ -38,13 +37,13 @@ fn path(points: impl IntoIterator<Item = Point>) -> Vec<Step> {
 impl Canvas {
     /// An empty picture of a width, points.
     pub fn new(width: f64) -> Canvas {
-        Canvas::printed(width, 1.0, Palette::default(), false)
+        Canvas::printed(width, 1.0, Palette::default())
     }
 
     /// An empty picture of a width, points of print, that is drawn so many times as large as its coordinates say, in
-    /// the colours of a palette; with letters of its SVG as outlines where these are asked for.
-    pub fn printed(width: f64, scale: f64, palette: Palette, outlines: bool) -> Canvas {
-        Canvas { width: width / scale, scale, palette, outlines, marks: Vec::new() }
+    /// the colours of a palette.
+    pub fn printed(width: f64, scale: f64, palette: Palette) -> Canvas {
+        Canvas { width: width / scale, scale, palette, marks: Vec::new() }
     }
 
     /// Its colours, which those who draw an image choose themselves.
@@ -64,9 +63,9 @@ impl Canvas {
 
     /// The picture on white paper of a height in its coordinates.
     pub fn finish(self, height: f64) -> Picture {
-        let Canvas { width, scale, outlines, marks, .. } = self;
+        let Canvas { width, scale, marks, .. } = self;
         let paper = (scale * width / MILLIMETRE, scale * height / MILLIMETRE);
-        Picture { size: (width, height), paper, outlines, marks }
+        Picture { size: (width, height), paper, marks }
     }
 
     fn filled(&self, colour: Colour, opacity: f64) -> Paint {

@@ -15,8 +15,6 @@ pub struct Picture {
     pub(super) size: (f64, f64),
     /// Width and height in print, mm.
     pub(super) paper: (f64, f64),
-    /// Letters of its SVG are outlines, which need no font.
-    pub(super) outlines: bool,
     /// What is drawn, the lowest first.
     pub(super) marks: Vec<Mark>,
 }
@@ -124,7 +122,6 @@ impl Picture {
         Ok(Picture {
             size: (width, height),
             paper: (width / MILLIMETRE, height / MILLIMETRE),
-            outlines: false,
             marks: vec![Mark::Image { place: Place { x, y, width, height }, png, sharp: true }],
         })
     }

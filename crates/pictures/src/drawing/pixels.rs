@@ -19,9 +19,6 @@ const INCH: f64 = 25.4;
 
 impl Picture {
     /// A PNG of 300 pixels an inch, which it says itself: a layout program places it in the SVG's size.
-    ///
-    /// # Errors
-    /// [`FigureError::Encode`].
     pub fn png(&self) -> Result<Vec<u8>, FigureError> {
         let pixmap = self.pixels(PRINT)?;
         let (width, height) = (pixmap.width() as usize, pixmap.height() as usize);
@@ -31,17 +28,11 @@ impl Picture {
     }
 
     /// The pixels of a frame of an animation, with 150 an inch: red, green, blue and opacity.
-    ///
-    /// # Errors
-    /// [`FigureError::Encode`].
     pub fn frame(&self) -> Result<Pixmap, FigureError> {
         self.pixels(SCREEN)
     }
 
     /// Its pixels, some an inch of paper.
-    ///
-    /// # Errors
-    /// [`FigureError::Encode`].
     pub fn pixels(&self, per_inch: f64) -> Result<Pixmap, FigureError> {
         let side = |millimetres: f64| (millimetres / INCH * per_inch).round() as u32;
         let mut pixmap = Pixmap::new(side(self.paper.0), side(self.paper.1))

@@ -22,8 +22,6 @@ pub struct Print<'a> {
     font_size: Option<f64>,
     /// The colours.
     pub palette: Palette,
-    /// Letters are outlines, which need no font.
-    pub outlines: bool,
 }
 
 /// What cannot be printed.
@@ -49,9 +47,6 @@ pub enum PrintError {
 
 impl Print<'_> {
     /// Pictures of a width, mm, with letters of a size, points; the defaults where none is given.
-    ///
-    /// # Errors
-    /// Any [`PrintError`].
     pub fn new(width: Option<f64>, font_size: Option<f64>) -> Result<Print<'static>, PrintError> {
         let outside = |value: &f64, [low, high]: [f64; 2]| !(low..=high).contains(value);
         if let Some(width) = width.filter(|width| outside(width, WIDTHS)) {
@@ -72,6 +67,6 @@ impl Print<'_> {
     pub fn canvas(self, usual: f64) -> Canvas {
         let width = self.width.map_or(usual, |width| width * MILLIMETRE);
         let scale = self.font_size.map_or(1.0, |size| size / FONT);
-        Canvas::printed(width, scale, self.palette, self.outlines)
+        Canvas::printed(width, scale, self.palette)
     }
 }

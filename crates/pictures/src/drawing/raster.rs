@@ -22,9 +22,6 @@ const METRES: f32 = 0.0254;
 const COLOURS: usize = 256;
 
 /// An image of `width` by `height` pixels, the top row first, as a PNG.
-///
-/// # Errors
-/// [`FigureError::Encode`].
 pub fn png(
     (width, height): (usize, usize),
     pixel: impl Fn(usize, usize) -> Rgba,
@@ -38,9 +35,6 @@ pub fn png(
 
 /// Pixels as a PNG. Of more than 256 colours the rarest, which soften the edges of letters and lines,
 /// become those nearest to them. What is to be printed has so many pixels an inch.
-///
-/// # Errors
-/// [`FigureError::Encode`].
 pub fn encode(
     (width, height): (usize, usize),
     pixels: &[Rgba],

@@ -20,7 +20,7 @@ impl Picture {
         // White paper.
         lines.next()?;
         let marks = marks(&mut lines, DEEPEST)?;
-        let picture = Picture { size: (width, height), paper, outlines: false, marks };
+        let picture = Picture { size: (width, height), paper, marks };
         let has_size = [width, height, paper.0, paper.1].iter().all(|side| *side > 0.0);
         (has_size && picture.svg() == svg).then_some(picture)
     }

@@ -12,9 +12,6 @@ const HEIGHT: f64 = 6.0;
 const COLUMNS: usize = 256;
 
 /// Draws a scale with its numbers and its name below; `colour` is that of a share of its width. Returns where it ends.
-///
-/// # Errors
-/// [`FigureError::Encode`].
 pub fn draw(
     canvas: &mut Canvas,
     (x, y): Point,

@@ -70,7 +70,7 @@ fn path(steps: &[Step]) -> String {
 impl Picture {
     /// The document.
     pub fn svg(&self) -> String {
-        self.document(self.outlines)
+        self.document(false)
     }
 
     /// The document with letters as outlines, so that it needs no font. A text with letters that no font of this machine has

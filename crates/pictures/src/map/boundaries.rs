@@ -111,9 +111,6 @@ pub fn contours(grid: &Grid, known: &[Option<f64>], levels: &[f64]) -> Vec<Vec<L
 }
 
 /// Writes boundaries.csv: one row per point, `boundary,line` and the two axes.
-///
-/// # Errors
-/// Those of the writer.
 pub fn write(map: &Map, writer: impl Write) -> Result<(), csv::Error> {
     let mut table = csv::Writer::from_writer(writer);
     let Some(y_axis) = map.grid.y() else { return Ok(()) };

@@ -35,9 +35,6 @@ const PITCH: usize = 4;
 
 /// Writes the map as a PNG of a pixel a cell, the last row of the second axis at the top: nothing but the colours of
 /// the outcomes in a palette.
-///
-/// # Errors
-/// Those of the writer and of the format.
 pub fn write_png(
     map: &RefinedMap,
     palette: Palette,
@@ -77,9 +74,6 @@ pub fn write_png(
 
 /// Writes the map as an SVG of the exact outlines of its outcomes, one path a colour; a unit is a cell. The colour with
 /// the most of them is a rectangle beneath the others, whose outlines its own would repeat.
-///
-/// # Errors
-/// Those of the writer.
 pub fn write_svg(map: &RefinedMap, palette: Palette, mut writer: impl Write) -> io::Result<()> {
     let all = Kind::all();
     let (columns, rows) = map.report.shape;

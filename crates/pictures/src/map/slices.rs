@@ -21,9 +21,6 @@ pub struct Slice<'a> {
 }
 
 /// The slices of a sweep of which some columns were requested, thinned to what is drawn; none where there are more than [`MOST`].
-///
-/// # Errors
-/// Those of reading.
 pub fn of<'a>(
     scene: &'a Scene,
     grid: &Grid,

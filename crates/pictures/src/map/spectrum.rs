@@ -50,9 +50,6 @@ impl Spectrum {
     }
 
     /// Writes spectrum.csv: the first axis, then `lifts` and `overturns`, in the unit of the second.
-    ///
-    /// # Errors
-    /// Those of the writer.
     pub fn write(&self, map: &Map, writer: impl Write) -> csv::Result<()> {
         let mut table = csv::Writer::from_writer(writer);
         let x = map.grid.x();

@@ -15,9 +15,6 @@ pub const DRAWN: usize = 2048;
 
 /// A map of a slice, which begins at a cell of the sweep's grid, with at most a given number of cells a side, as of
 /// [`DRAWN`] it is drawn: all of its cells, or of a longer side as many evenly spread ones.
-///
-/// # Errors
-/// Those of reading.
 pub fn thinned<'a>(
     scene: &'a Scene,
     (grid, first): (&Grid, usize),

@@ -42,9 +42,6 @@ pub fn border(least: f64, shares: impl Iterator<Item = f64>, motions: usize) -> 
 }
 
 /// Draws an envelope over two axes; none where there are not two of several values.
-///
-/// # Errors
-/// [`FigureError::Encode`].
 pub fn draw(
     envelope: &Envelope,
     title: &str,

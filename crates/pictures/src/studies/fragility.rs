@@ -244,9 +244,6 @@ pub fn along(
 
 /// Draws maps of theta and of beta of a limit state, the state's number, beside each other; `target` are rates, with
 /// all that may be missing, whose line is drawn, cell by cell, none where they are not known.
-///
-/// # Errors
-/// [`FigureError::Encode`].
 pub fn maps(
     study: &FragilityStudy,
     state: usize,

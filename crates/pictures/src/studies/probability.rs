@@ -40,9 +40,6 @@ fn said(scene: &Scene, uncertainty: &Uncertainty) -> Vec<String> {
 }
 
 /// Draws probabilities; none where there are not one or two axes of several values.
-///
-/// # Errors
-/// [`FigureError::Encode`].
 pub fn draw(
     all: &Probabilities,
     uncertainty: &Uncertainty,

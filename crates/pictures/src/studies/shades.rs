@@ -38,9 +38,6 @@ impl Shades {
     }
 
     /// Draws the scale; where it ends below.
-    ///
-    /// # Errors
-    /// [`FigureError::Encode`].
     pub fn draw(
         &self,
         canvas: &mut Canvas,
@@ -55,9 +52,6 @@ impl Shades {
 }
 
 /// Draws the cells of a grid of two axes; those of no value are white.
-///
-/// # Errors
-/// [`FigureError::Encode`].
 pub fn paint(
     canvas: &mut Canvas,
     grid: &Grid,

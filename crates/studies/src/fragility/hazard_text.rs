@@ -26,9 +26,6 @@ pub struct HazardText {
 }
 
 /// Reads the curve of a file, as [`read`] does.
-///
-/// # Errors
-/// What is wrong with the file, and what to do.
 pub fn of_bytes(
     bytes: &[u8],
     measure: Intensity,
@@ -47,9 +44,6 @@ pub fn of_bytes(
 /// A table has a level and its annual rate of exceedance, or its return period, in each line. Its heading says what they are, in words of
 /// `hazard_heading`. A curve of OpenQuake has the probabilities of one site in a line: `lon,lat,depth,poe-0.05,poe-0.1`, below a comment
 /// with the time that they are of.
-///
-/// # Errors
-/// What is wrong with the text, where, and what to do.
 pub fn read(
     text: &str,
     measure: Intensity,

@@ -76,9 +76,6 @@ pub struct Sharpness {
 impl Sharpness {
     /// Goes through the outcomes of a grid, a few rows at a time. Of more than two axes all slices of the first two
     /// count together.
-    ///
-    /// # Errors
-    /// Those of reading.
     pub fn of(grid: &Grid, outcomes: &dyn Outcomes) -> io::Result<Sharpness> {
         let (columns, rows) = (grid.x().count(), grid.y().map_or(1, Axis::count));
         let sides = [columns, rows];

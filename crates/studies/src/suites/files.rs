@@ -94,9 +94,6 @@ impl Files {
 
     /// The name of a file that the list `of` has under a name: the path from the list's own folder, or from the suite's; or of
     /// the files of that name in any folder, whatever the case of its letters, the one whose folders are the list's.
-    ///
-    /// # Errors
-    /// Why there is none.
     pub fn find(&self, listed: &str, of: &str) -> Result<String, String> {
         let plain = listed.replace('\\', "/");
         let plain = plain.trim_start_matches("./");

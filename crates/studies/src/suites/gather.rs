@@ -16,9 +16,6 @@ pub(super) fn columns(others: &[Column]) -> ColumnSet {
 }
 
 /// Adds the cells of a map to a motion's, level by level in the order of a grid. Levels may lie along any axis of the map.
-///
-/// # Errors
-/// Those of reading the map.
 pub(super) fn gather(
     map: &MapSweep,
     grid: &Grid,

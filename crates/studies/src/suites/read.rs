@@ -54,9 +54,6 @@ impl Suite {
     }
 
     /// The same with all that can be said of the reading.
-    ///
-    /// # Errors
-    /// Those of [`read`](Suite::read).
     pub fn read_as(path: &Path, reading: Reading) -> Result<Suite, SuiteError> {
         let Reading { strict, baseline } = reading;
         let files = Files::of(path)?;

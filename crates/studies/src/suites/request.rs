@@ -101,9 +101,6 @@ impl SuiteRequest {
     }
 
     /// The motions of a suite that the scene is swept under.
-    ///
-    /// # Errors
-    /// Those of [`check_scales`](SuiteRequest::check_scales).
     pub fn motions(&self, suite: &Suite) -> Result<Vec<WantedMotion>, SceneError> {
         self.check_scales(suite)?;
         Ok(WantedMotion::of_suite(suite, &self.scene.numbers, self.both_directions))
@@ -130,9 +127,6 @@ impl SuiteRequest {
     }
 
     /// The same under the caller's own motions.
-    ///
-    /// # Errors
-    /// Those of [`open`](SuiteRequest::open).
     pub fn open_under(&self, motions: Vec<WantedMotion>) -> Result<SuiteJob, SweepError> {
         self.check()?;
         SuiteJob::open(&self.scene, motions, self.settings.clone())

@@ -75,9 +75,6 @@ impl SavedMotions {
     }
 
     /// Removes what was saved, when it is not needed any more; what somebody else put there stays.
-    ///
-    /// # Errors
-    /// Errors of the disk.
     pub fn discard(self) -> io::Result<()> {
         own::remove(&self.folder, Kind::Motions).map(|_| ())
     }

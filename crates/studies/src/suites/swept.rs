@@ -99,9 +99,6 @@ impl SuiteJob {
     }
 
     /// The same of several scenes, each with motions of its own, one scene after the other. Their grids have as many cells.
-    ///
-    /// # Errors
-    /// Those of [`open`](SuiteJob::open).
     pub fn of_scenes(
         scenes: Vec<(&SceneBuilder, Vec<WantedMotion>)>,
         settings: SuiteSettings,
@@ -179,9 +176,6 @@ fn check_size(
 
 impl SuiteSweep {
     /// Takes away what was saved while it ran: its results are written. Until then no other run begins in the directory.
-    ///
-    /// # Errors
-    /// Errors of the disk.
     pub fn discard_saved(&mut self) -> io::Result<()> {
         self.saved.take().map_or(Ok(()), SavedMotions::discard)
     }

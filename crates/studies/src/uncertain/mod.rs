@@ -40,9 +40,6 @@ pub(crate) fn check_samples(samples: u32) -> Result<(), SceneError> {
 
 /// So many points of numbers of a scene that are not known, from a seed, each with a value of every number. The scene at each is
 /// checked.
-///
-/// # Errors
-/// Those of [`Ensemble::of`] and of [`Ensemble::scenes`].
 pub(crate) fn checked_points(
     scene: &Scene,
     vary: &[Varied],

@@ -116,9 +116,6 @@ impl Points<'_> {
 impl Probabilities {
     /// Sweeps a scene's grid at every point; the cells of a sweep are counted and forgotten before the next begins.
     /// `settings` tell how each sweep is run, their verification of all sweeps together.
-    ///
-    /// # Errors
-    /// Those of [`Uncertainty::check`] and of [`sweep_on`].
     pub fn run(
         scene: &Scene,
         uncertainty: &Uncertainty,
@@ -216,9 +213,6 @@ impl Probabilities {
 }
 
 /// Writes probability.csv: the axes, the samples, and the share of each outcome.
-///
-/// # Errors
-/// Those of the writer.
 pub fn write(all: &Probabilities, uncertainty: &Uncertainty, writer: impl Write) -> io::Result<()> {
     let mut table = csv::Writer::from_writer(writer);
     let axes = all.axes(uncertainty);

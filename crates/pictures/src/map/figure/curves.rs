@@ -32,9 +32,6 @@ const MARKED: usize = 60;
 const SHOWN: [&Field; 3] = [&FIELDS[0], &FIELDS[1], &FIELDS[3]];
 
 /// Draws the curves along the axis of a map's cells.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn draw(map: &Map, axis: &grid::Axis, print: Print) -> Result<Picture, FigureError> {
     let mut canvas = print.canvas(COLUMN);
     let wide = canvas.inner();
@@ -71,7 +68,8 @@ pub fn draw(map: &Map, axis: &grid::Axis, print: Print) -> Result<Picture, Figur
 
 /// Draws a curve with its axes: points that belong together with a line between.
 fn paint(canvas: &mut Canvas, map: &Map, axis: &grid::Axis, field: &Field, place: Place) {
-    let known = map.outcomes.iter().filter(|cell| Field::counts(cell)).map(field.value);
+    let known =
+        map.outcomes.iter().filter(|cell| Field::counts(cell)).map(|cell| field.value(cell));
     let most = known.fold(0.0, f64::max);
     // Where no cell stands, or nothing moves, there is no scale to go by.
     let most = if most > 0.0 { most } else { 1.0 };
@@ -81,7 +79,7 @@ fn paint(canvas: &mut Canvas, map: &Map, axis: &grid::Axis, field: &Field, place
         .iter()
         .enumerate()
         .map(|(i, cell)| {
-            let at = (axis.values.coordinate(i as f64), (field.value)(cell));
+            let at = (axis.values.coordinate(i as f64), field.value(cell));
             Field::counts(cell).then(|| frame.at(at))
         })
         .collect();

@@ -100,9 +100,6 @@ impl Shown {
 }
 
 /// Draws a field; `at` tells what the map is a slice at.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn draw(map: &Map, field: &Field, at: &str, print: Print) -> Result<Picture, FigureError> {
     let title =
         titled(&format!("{}: {}", print.title.unwrap_or(&map.scene.title), field.title), at);
@@ -110,9 +107,6 @@ pub fn draw(map: &Map, field: &Field, at: &str, print: Print) -> Result<Picture,
 }
 
 /// Draws fields of a map beside each other, with one legend.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn beside(
     map: &Map,
     fields: &[&Field],
@@ -158,9 +152,6 @@ pub fn beside(
 }
 
 /// Draws the cells of a map in the greys of a scale, its lines, and what lies over them.
-///
-/// # Errors
-/// [`FigureError::Encode`].
 pub fn paint(
     canvas: &mut Canvas,
     map: &Map,
@@ -172,7 +163,7 @@ pub fn paint(
     let colour = |cell: &Outcome| -> Colour {
         match cell.class {
             Class::Unresolved => WHITE,
-            _ if Field::counts(cell) => [greys.shade((field.value)(cell)); 3],
+            _ if Field::counts(cell) => [greys.shade(field.value(cell)); 3],
             _ => palette.of(FALLEN),
         }
     };
@@ -188,7 +179,7 @@ pub fn paint(
     };
     let rings = islands(map, place, |cell| (cell.class.overturned(), Field::counts(cell)));
     shown.rings = !rings.is_empty();
-    let value = |cell: &Outcome| Field::counts(cell).then(|| (field.value)(cell));
+    let value = |cell: &Outcome| Field::counts(cell).then(|| field.value(cell));
     let values = greys.levels();
     let on_page = |line: &[Point]| {
         let points: Vec<Point> = line.iter().map(|point| frame.at(*point)).collect();

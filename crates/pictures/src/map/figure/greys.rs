@@ -32,7 +32,7 @@ impl Greys {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for map in maps {
             for cell in map.outcomes.iter().filter(|cell| Field::counts(cell)) {
-                let value = (field.value)(cell);
+                let value = field.value(cell);
                 (low, high) = (low.min(value), high.max(value));
             }
         }
@@ -71,9 +71,6 @@ impl Greys {
     }
 
     /// Draws the scale with its numbers and its name below; returns where it ends.
-    ///
-    /// # Errors
-    /// [`FigureError::Encode`].
     pub fn draw(
         &self,
         canvas: &mut Canvas,

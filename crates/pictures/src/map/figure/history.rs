@@ -40,9 +40,6 @@ struct Strip {
 }
 
 /// Draws the motion.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn draw(
     scene: &Scene,
     case: &Case,

@@ -8,9 +8,6 @@ use crate::drawing::print::Print;
 
 /// Draws the picture of a map that stands for all of it: its outcomes for a pulse, the rocking index for a
 /// record where it was requested; of one axis curves, of one cell its values. `at` tells what the map is a slice at.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn draw(map: &Map, at: &str, print: Print) -> Result<Picture, FigureError> {
     let rocking_index = &fields::FIELDS[0];
     if map.grid.len() == 1 {

@@ -58,9 +58,6 @@ impl Overlay {
     }
 
     /// The image of it for a place, over the colours of a palette; none where there is nothing.
-    ///
-    /// # Errors
-    /// [`FigureError::Encode`].
     pub fn image(
         self,
         map: &Map,

@@ -17,9 +17,6 @@ use crate::drawing::{MARGIN, legend, swatch};
 use topple::stepping::outcome::Outcome;
 
 /// Draws the map; `at` tells what it is a slice at.
-///
-/// # Errors
-/// Any [`FigureError`].
 pub fn draw(map: &Map, at: &str, print: Print) -> Result<Picture, FigureError> {
     let (mut canvas, place) =
         begin(map, &titled(print.title.unwrap_or(&map.scene.title), at), print);
@@ -37,9 +34,6 @@ pub fn draw(map: &Map, at: &str, print: Print) -> Result<Picture, FigureError> {
 
 /// Draws the cells of a map in the colours of their kinds, what lies over them, and rings around what is too
 /// small; returns how many rings there are.
-///
-/// # Errors
-/// [`FigureError::Encode`].
 pub fn paint<K: PartialEq>(
     canvas: &mut Canvas,
     map: &Map,
@@ -59,9 +53,6 @@ pub fn paint<K: PartialEq>(
 }
 
 /// The cells of a map in the colours of their outcomes, as an image.
-///
-/// # Errors
-/// [`FigureError::Encode`].
 pub fn cells(map: &Map, colour: impl Fn(&Outcome) -> Colour) -> Result<Vec<u8>, FigureError> {
     let (columns, rows) = map.grid.shape();
     png((columns, rows), |column, row| {

@@ -1,7 +1,7 @@
 //! A map of one cell: its outcome and its values in words, for it has no axes.
 
 use super::super::Map;
-use super::fields::{CONTACT, FIELDS, Field};
+use super::fields::{self, Field};
 use super::keys;
 use super::layout::{GAP, titled};
 use super::overlay::Overlay;
@@ -36,12 +36,10 @@ pub fn draw(map: &Map, at: &str, print: Print) -> Picture {
 
 /// The values of a cell that stands, each with its symbol and its unit.
 fn values(map: &Map) -> Vec<Entry> {
-    let shown = FIELDS
-        .iter()
-        .chain(&CONTACT)
+    let shown = fields::all()
         .filter(|field| field.moves(map.scene.isolation) && map.columns.has(field.column));
     let of = |field: &Field| {
-        let value = map.outcomes.first().map_or(0.0, field.value);
+        let value = map.outcomes.first().map_or(0.0, |cell| field.value(cell));
         let (symbol, unit) = field.label.split_once(" [").unwrap_or((field.label, ""));
         let value = rounded(value, value.abs());
         let text = format!("{}: {symbol} = {value} {}", field.title, unit.trim_end_matches(']'));

@@ -43,9 +43,6 @@ fn line_of(number: usize) -> Stroke {
 }
 
 /// Draws the spectra of a map; none of a map that has not two axes.
-///
-/// # Errors
-/// [`FigureError`].
 pub fn draw(map: &Map, print: Print) -> Result<Option<Picture>, FigureError> {
     let (Some(spectrum), Some(y_axis)) = (Spectrum::of(map), map.grid.y()) else { return Ok(None) };
     let x_axis = map.grid.x();
@@ -113,7 +110,7 @@ fn index(canvas: &mut Canvas, map: &Map, place: Place) -> Vec<Entry> {
             let row = spread(number, count, rows);
             let cells = &map.outcomes[row * columns..(row + 1) * columns];
             let point = |(column, cell)| {
-                let at = (x_axis.values.coordinate(column as f64), (field.value)(cell));
+                let at = (x_axis.values.coordinate(column as f64), field.value(cell));
                 Field::counts(cell).then(|| frame.at(at))
             };
             let points: Vec<Option<Point>> = cells.iter().enumerate().map(point).collect();

@@ -8,6 +8,8 @@ mod table;
 pub use best::Best;
 pub use request::EnvelopeRequest;
 
+use serde::{Deserialize, Serialize};
+
 use super::Falling;
 use super::resample::Groups;
 use super::shown::is_beyond;
@@ -22,15 +24,24 @@ use topple::scene::record::rounded;
 use topple::stepping::outcome::Class;
 use topple::work::observer::Observer;
 
-/// The limits that a base must keep.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// The limits that a base must keep; by default that the block stands under all motions.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Limits {
     /// Share of the motions under which the block must stand.
     pub standing: f64,
     /// Largest max |u|, m; none where there is room for any.
+    #[serde(rename = "limit_u")]
     pub u: Option<f64>,
     /// Largest stroke of v, m.
+    #[serde(rename = "limit_v")]
     pub v: Option<f64>,
+}
+
+impl Default for Limits {
+    fn default() -> Limits {
+        Limits { standing: 1.0, u: None, v: None }
+    }
 }
 
 /// A limit that is not kept.
