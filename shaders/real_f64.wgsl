@@ -74,7 +74,7 @@ fn doubled(half: Tangent) -> Tangent {
     return Tangent(product + product, half.bottom * half.bottom + half.top * half.top);
 }
 
-// tanh x for x >= 0, as a numerator and a denominator that is no smaller.
+// tanh x for x >= 0, as a numerator and a denominator.
 fn tangent(from_zero: real) -> Tangent {
     let end: real = 20.0;
     let x = 0.125 * min(from_zero, end);

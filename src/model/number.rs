@@ -125,7 +125,7 @@ pub trait Number:
         rest.mul_add(p, self.like(1.0)) * power
     }
 
-    /// tanh x for x >= 0, as a numerator and a denominator that is no smaller: of an eighth of x by a continued fraction, then
+    /// tanh x for x >= 0, as a numerator and a denominator: of an eighth of x by a continued fraction, then
     /// doubled three times, tanh 2x = 2 tanh x/(1 + tanh^2 x).
     #[inline(always)]
     fn tangent(self) -> (Self, Self) {
