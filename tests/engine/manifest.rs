@@ -43,29 +43,16 @@ fn the_compiler_asked_for_is_new_enough_for_every_dependency() {
 }
 
 /// Licences under which a program with these crates can be given away under MIT with their texts.
-const LICENCES: [&str; 14] = [
-    "0BSD",
-    "Apache-2.0",
-    "Apache-2.0 WITH LLVM-exception",
-    "BSD-2-Clause",
-    "BSD-3-Clause",
-    "BSL-1.0",
-    "CC0-1.0",
-    "ISC",
-    "MIT",
-    "MIT-0",
-    "OFL-1.1",
-    "Ubuntu-font-1.0",
-    "Unicode-3.0",
-    "Zlib",
-];
+const LICENCES: &str = "0BSD | Apache-2.0 | Apache-2.0 WITH LLVM-exception | BSD-2-Clause | BSD-3-Clause | BSL-1.0 | CC0-1.0 | \
+    ISC | MIT | MIT-0 | OFL-1.1 | Ubuntu-font-1.0 | Unicode-3.0 | Zlib";
 
 /// True where an SPDX expression of terms with AND, each in brackets or a choice with OR, can be kept by [`LICENCES`] alone.
 /// Older manifests write a choice with a slash.
 fn permits(expression: &str) -> bool {
     expression.split(" AND ").all(|term| {
         let term = term.trim_start_matches('(').trim_end_matches(')');
-        term.replace('/', " OR ").split(" OR ").any(|choice| LICENCES.contains(&choice.trim()))
+        let is_known = |choice: &str| LICENCES.split(" | ").any(|known| known == choice.trim());
+        term.replace('/', " OR ").split(" OR ").any(is_known)
     })
 }
 

@@ -398,25 +398,6 @@ fn scenes_written_are_read_back() {
     }
 }
 
-#[test]
-fn what_is_no_scene_is_named() {
-    let room = Room::new();
-    let at2 = "PEER\nA, B, C\nACCELERATION IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n.1 .2 .1\n";
-    for (name, text, said) in [
-        ("a.at2", at2, "a record (PEER AT2), not a scene; give it to topple seismic --horizontal"),
-        ("map.csv", "t_h,t_v\n", "a table holds no scene, and no run.json lies beside it"),
-        ("map.npz", "no zip", "give a map of topple"),
-        ("run.json", "{\"kind\": 5}", "no results of this version of topple"),
-        ("other.json", "{}", "no results of this version of topple"),
-    ] {
-        room.write(name, text);
-        room.refuses(&format!("run ./{name}"), &[said, name]);
-    }
-    room.folder("empty");
-    room.refuses("run ./empty", &["a directory without run.json"]);
-    room.refused("run nothing.toml");
-}
-
 const DEVICES: &str = "device,isolation,radius,mu\nfloor,none,,\npendulum,horizontal,1.5,0.06\n";
 const CURVE: &str = "pga [m/s2],rate\n1,0.01\n3,0.001\n8,0.0001\n";
 const SITE: &str =

@@ -95,18 +95,6 @@ fn a_map_without_a_column_has_no_picture_of_it() {
     }
 }
 
-#[test]
-fn columns_that_are_none_are_refused_in_a_line() {
-    for (more, said) in [
-        ("zeta,max_w", ["no column is called 'max_w'", ""]),
-        (",", ["names none", ""]),
-        ("zeta --friction 0.4", ["--friction", "friction_demand"]),
-        ("zeta --vary t_h=normal(1.75,0.1)", ["--columns", ""]),
-    ] {
-        Room::new().refuses(&format!("{PULSE} --columns {more}"), &said);
-    }
-}
-
 /// What was saved of some columns is not taken for a run of others, and shards of some make a map of these.
 #[test]
 fn interrupted_runs_and_shards_have_the_columns_that_were_asked_for() {

@@ -2,7 +2,6 @@
 
 use std::fs;
 
-use crate::common::all_but_few;
 use crate::common::room::{Room, number};
 
 /// The devices of the tests: one moves in both directions, one not at all, one horizontally, and has another block.
@@ -171,55 +170,6 @@ fn shards_and_a_repetition_say_the_same() {
     fs::rename(moved, own).unwrap();
     room.run("run ./whole --out ./again");
     room.same("again", "whole", &["compare.csv"]);
-}
-
-#[test]
-fn what_is_wrong_with_a_list_is_told_in_a_line() {
-    let room = room("");
-    let one = "device,isolation\na,none\n";
-    for (text, more, wanted) in [
-        ("device,t_h\na,fast\n", "", "line 2, column t_h: 'fast' is no number"),
-        ("device,periode\na,1\n", "", "line 1, column periode: no key has this name"),
-        (
-            "device,isolation\na,Horizontal\n",
-            "",
-            "column isolation: 'Horizontal' is not known; give one of dual, horizontal, vertical, none",
-        ),
-        ("device,k1\na,\"200,000\"\n", "", "line 2, column k1: '200,000' may be 200000 or 200"),
-        ("device,t_h\na,1\na,2\n", "", "line 3, column device: the name a stands in line 2, too"),
-        ("t_h,t_v\n1,1\n", "", "line 1: no column `device`"),
-        (
-            "device,t_h,t_v,u_y\na,1,1,1\nb,900,1,1\n",
-            "",
-            "line 3, column t_h: 900 s is not plausible",
-        ),
-        ("device,t_h,u_y\na,1,1\n", "", "line 2: a: --t-v: missing"),
-        ("device,t_h,t_v\na,1,1\n", "", "line 2: a: --u-y: missing"),
-        ("device,t_h,u_y\na,1,1\n", "--t-v 1:2:3", "line 2: a: --t-v: has several values"),
-        // It is told by its columns, not by flags.
-        ("device,isolation,k1,k2\nbearing,horizontal,1e5,2e4\n", "", "line 2"),
-        (one, "--limit-u 0.1", "--limit-u: the base does not move"),
-        (one, "--scales 0,1", "--scales: 0 must be a positive number"),
-        (one, "--columns outcome", "--columns: outcome has names, not numbers"),
-        (one, "--standing 2", "--standing: 2 must lie above 0"),
-        (one, "--im pgv", "--hazard"),
-        (one, "--levels 1,2", "--hazard"),
-    ] {
-        room.write("devices.csv", text);
-        let line = room.refused(&format!("{COMPARE} {more} --out ./compared"));
-        assert!(line.contains(wanted) && !line.contains("--k1"), "{text:?}: {line}");
-        assert!(!room.has("compared"), "{text:?}");
-    }
-}
-
-#[test]
-fn devices_without_masses_of_plates_are_warned_of_by_name() {
-    let room = room("device,plate_h,plate_v\nlight,,\nheavy,50,50\n");
-    let block = "--half-width 0.3 --height 1 --mass 200 --u-y 0.01 --xi-h 0.1 --t-h 1 --t-v 0.5";
-    let run = room.run(&format!("compare ./devices.csv {block} {SUITE} --out ./compared"));
-    let said = all_but_few(&run.err);
-    assert_eq!(said.len(), 1, "{said:?}");
-    assert!(said[0].contains("light: impacts take no energy") && !said[0].contains("heavy"));
 }
 
 #[test]

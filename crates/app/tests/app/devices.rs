@@ -95,34 +95,6 @@ fn cells_of_a_map_that_move_beyond_the_radius_are_counted() {
     assert!(words.contains("stop d = 0.9 m, k_s = 100000 N/m, ξ_s = 0"), "{words}");
 }
 
-/// A single motion and motions at several levels are judged as a map's cells are.
-#[test]
-fn every_command_warns_of_a_stroke_beyond_the_radius_and_of_tensile_contact() {
-    let room = Room::suite();
-    let warns = |line: &str, of: &str, warns: bool| {
-        let base = "--mu 0.02 --isolation horizontal --out ./out";
-        let words = said(&room, &format!("{line} {BLOCK} {base}"));
-        assert_eq!(words.contains(of), warns, "{words}");
-        let kept = room.json("out")["warnings"].to_string();
-        // Of a map the cells are counted.
-        assert_eq!(kept.contains(of), warns, "{kept}");
-        room.remove("out");
-    };
-    let pulse = "history --omega 10 --a-h 9 --t-max 4";
-    let beyond = "is beyond the radius of the pendulum";
-    for (radius, is_beyond) in [("0.05", true), ("5", false)] {
-        warns(&format!("{pulse} --radius {radius}"), beyond, is_beyond);
-        let levels = format!("fragility {SUITE} --im pga --levels 1,9 --radius {radius}");
-        warns(&levels, beyond, is_beyond);
-        let cells = format!("envelope {SUITE} --scale 4 --radius {radius},{radius}1");
-        warns(&cells, "is beyond the radius", is_beyond);
-    }
-    for (a_v, pulls) in [("30", true), ("0", false)] {
-        let line = format!("{pulse} --radius 5 --a-v {a_v}");
-        warns(&line, "the contact force is tensile", pulls);
-    }
-}
-
 #[test]
 fn both_directions_of_a_block_without_an_eccentricity_are_the_same_and_it_is_said() {
     let room = Room::suite();
@@ -150,13 +122,4 @@ fn further_columns_of_an_envelope_are_those_of_a_comparison() {
         assert_eq!(own[own.len() - 6..], wanted[wanted.len() - 6..], "{line}");
         assert!(own.last().unwrap().parse::<f64>().unwrap() > 0.0, "{line}");
     }
-    let line = format!("envelope {base} --columns outcome --t-h 1 --t-v 1 --out ./x");
-    room.refuses(&line, &["--columns: outcome has names"]);
-}
-
-/// Without the mass of the block nothing is known of forces.
-#[test]
-fn what_the_base_carries_needs_the_mass() {
-    let line = "pulse --half-width 0.3 --height 1 --isolation none --omega 5 --a-h 4 --columns base_load --dry-run";
-    Room::new().refuses(line, &["base_load is a force", "--mass"]);
 }

@@ -3,86 +3,36 @@
 #![cfg(unix)]
 
 use std::fs;
-use std::io::{BufRead, BufReader, Read, Write};
-use std::net::TcpStream;
+use std::io::Read;
 use std::path::Path;
-use std::process::{Child, Command, ExitStatus, Stdio};
+use std::process::{Command, ExitStatus};
 use std::time::{Duration, Instant};
 
-use tempfile::TempDir;
+use crate::explore::{Server, dropped};
 
-/// A server whose folders of temporary files lie in one of its own.
-struct Server {
-    process: Child,
-    host: String,
-    token: String,
-    folder: TempDir,
+/// Drops a record on the page; the status of the answer.
+fn drop_record(server: &Server) -> u16 {
+    server.post_bytes("record", &dropped("one.txt", &"0.5\n".repeat(99))).status
 }
 
-impl Drop for Server {
-    fn drop(&mut self) {
-        // It may have ended by itself.
-        let _ = self.process.kill();
-        let _ = self.process.wait();
-    }
+fn signal(server: &Server, name: &str) {
+    let sent = Command::new("kill").args(["-s", name, &server.process.id().to_string()]).status();
+    assert!(sent.unwrap().success());
 }
 
-impl Server {
-    /// Starts one, by another command where one is given. Its output is read up to the address, and closed.
-    fn start(by: &[&str]) -> Server {
-        let folder = tempfile::tempdir().unwrap();
-        let words =
-            [by, &[env!("CARGO_BIN_EXE_topple"), "explore", "--no-open", "--backend", "cpu"]]
-                .concat();
-        let mut command = Command::new(words[0]);
-        command.args(&words[1..]);
-        let command = command.env("TMPDIR", folder.path()).stdin(Stdio::null());
-        let mut process = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-        let mut line = String::new();
-        BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
-        let address = line.split_whitespace().last().unwrap().strip_prefix("http://").unwrap();
-        let (host, token) = address.trim_end_matches('/').split_once('/').unwrap();
-        Server { host: host.into(), token: token.into(), process, folder }
-    }
-
-    /// Drops a record on the page; the status of the answer.
-    fn drop_record(&self) -> String {
-        let Server { host, token, .. } = self;
-        let body = crate::explore::dropped("one.txt", &"0.5\n".repeat(99));
-        let mut stream = TcpStream::connect(host).unwrap();
-        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
-        write!(
-            stream,
-            "POST /{token}/record HTTP/1.1\r\nHost: {host}\r\nX-Topple: page\r\nConnection: close\r\n\
-             Content-Length: {}\r\n\r\n",
-            body.len()
-        )
-        .unwrap();
-        stream.write_all(&body).unwrap();
-        let mut answer = String::new();
-        stream.read_to_string(&mut answer).unwrap();
-        answer.split_whitespace().nth(1).unwrap().into()
-    }
-
-    fn signal(&self, name: &str) {
-        let sent = Command::new("kill").args(["-s", name, &self.process.id().to_string()]).status();
-        assert!(sent.unwrap().success());
-    }
-
-    /// Waits until it has ended; its status, and what it said on stderr.
-    fn ended(&mut self) -> (ExitStatus, String) {
-        let began = Instant::now();
-        let status = loop {
-            if let Some(status) = self.process.try_wait().unwrap() {
-                break status;
-            }
-            assert!(began.elapsed() < Duration::from_secs(30), "it goes on");
-            std::thread::sleep(Duration::from_millis(20));
-        };
-        let mut said = String::new();
-        self.process.stderr.take().unwrap().read_to_string(&mut said).unwrap();
-        (status, said)
-    }
+/// Waits until a server has ended; its status, and what it said on stderr.
+fn ended(server: &mut Server) -> (ExitStatus, String) {
+    let began = Instant::now();
+    let status = loop {
+        if let Some(status) = server.process.try_wait().unwrap() {
+            break status;
+        }
+        assert!(began.elapsed() < Duration::from_secs(30), "it goes on");
+        std::thread::sleep(Duration::from_millis(20));
+    };
+    let mut said = String::new();
+    server.process.stderr.take().unwrap().read_to_string(&mut said).unwrap();
+    (status, said)
 }
 
 fn files_in(folder: &Path) -> Vec<String> {
@@ -106,10 +56,10 @@ fn a_signal_takes_the_dropped_files_away() {
     for name in ["TERM", "INT"].into_iter().chain(hangup) {
         let mut server = Server::start(by);
         assert_eq!(files_in(server.folder.path()), [""; 0], "nothing was dropped");
-        assert_eq!(server.drop_record(), "200");
+        assert_eq!(drop_record(&server), 200);
         assert_eq!(files_in(server.folder.path()).len(), 1);
-        server.signal(name);
-        let (status, said) = server.ended();
+        signal(&server, name);
+        let (status, said) = ended(&mut server);
         assert!(status.success(), "{name}: {status}");
         assert_eq!((files_in(server.folder.path()), &*said), (vec![], ""), "{name}");
     }
@@ -119,10 +69,10 @@ fn a_signal_takes_the_dropped_files_away() {
 #[test]
 fn a_hangup_that_is_ignored_stays_so() {
     let mut server = Server::start(&["nohup"]);
-    server.signal("HUP");
+    signal(&server, "HUP");
     std::thread::sleep(Duration::from_millis(400));
-    assert_eq!(server.drop_record(), "200");
-    server.signal("TERM");
-    let (status, _) = server.ended();
+    assert_eq!(drop_record(&server), 200);
+    signal(&server, "TERM");
+    let (status, _) = ended(&mut server);
     assert!(status.success() && files_in(server.folder.path()).is_empty());
 }

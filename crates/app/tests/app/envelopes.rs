@@ -1,7 +1,6 @@
 //! What an envelope says beside shares and strokes: which cell is the best, and how likely a block falls of which something is
 //! not known. And what a factor on the motions of a suite is.
 
-use crate::common::all_but_few;
 use crate::common::room::{Room, number};
 
 use super::fragility::BASE;
@@ -81,8 +80,6 @@ fn the_best_cell_lies_farthest_from_cells_that_fail() {
         check(best, &said);
     }
     assert!(ends > 0, "no best cell lies at an end");
-    let line = format!("{ENVELOPE} --object 1 --best least");
-    room.refuses(&line, &["[possible values: reserve, stroke_u, stroke_v]"]);
 }
 
 /// The share of the motions at points that are drawn is the mean of what each motion alone has at the same points.
@@ -116,8 +113,6 @@ fn a_number_that_is_not_known_is_drawn_under_every_motion() {
     ] {
         assert!(line.contains(part), "{line}");
     }
-    let line = format!("{envelope} --vary t_v=uniform(1,2)");
-    room.refuses(&line, &["t_v is no number of this scene"]);
 }
 
 /// Factors are no axis of a fragility but levels of each motion.
@@ -148,9 +143,6 @@ fn factors_are_levels_of_a_fragility() {
     // suite.csv has seven digits.
     let near = |(own, peak): (&f64, &f64)| (own / peak - 1.0).abs() < 1e-6;
     assert!(levels.iter().zip(&wanted).all(near), "{levels:?}");
-    let said = "--scale: --levels say how strong each motion is";
-    room.refuses(&format!("{fragility} {factors} --levels 1,2"), &[said]);
-    room.refuses(&format!("{fragility} --pga 1,2"), &["--pga: several peaks are levels"]);
 }
 
 /// A factor of the scene is on the motions as the suite has them: on those that a list scales, too.
@@ -171,17 +163,4 @@ fn a_factor_is_on_what_a_list_has_scaled() {
     assert_eq!(cells[0]["max_u_100"], plain[0]["max_u_100"]);
     assert_eq!(cells[1]["max_u_100"], run("./doubled.csv")[0]["max_u_100"]);
     assert_ne!(cells[0]["max_u_100"], cells[1]["max_u_100"]);
-}
-
-#[test]
-fn plates_without_mass_are_warned_of_under_a_suite_too() {
-    let room = Room::suite();
-    let block = "--half-width 0.3 --height 1 --mass 200 --u-y 0.01 --xi-h 0.1 --backend cpu";
-    for command in ["envelope", "fragility"] {
-        let line = format!("{command} --suite ./list.csv {block} {CELL} --out ./{command}");
-        let said = all_but_few(&room.run(&line).err);
-        assert!(said.len() == 1 && said[0].contains("without masses of the plates"), "{said:?}");
-        let said = room.run(&format!("{line} --plate-h 50 --plate-v 50")).err;
-        assert_eq!(all_but_few(&said), [""; 0]);
-    }
 }

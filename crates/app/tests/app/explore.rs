@@ -6,6 +6,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 use serde_json::{Value, json};
+use tempfile::TempDir;
 use topple::scene::builder::SceneBuilder;
 use topple::scene::{Grid, Parameter, Range};
 use topple::stepping::outcome::Class;
@@ -13,11 +14,12 @@ use topple::{BackendRequest, Column, ColumnValues, RunSettings, Unwatched, Verif
 
 use crate::common::room::Room;
 
-/// A server, ended with the test.
-struct Server {
-    process: Child,
+/// A server whose folders of temporary files lie in one of its own; ended with the test.
+pub struct Server {
+    pub process: Child,
     host: String,
     token: String,
+    pub folder: TempDir,
 }
 
 impl Drop for Server {
@@ -29,8 +31,8 @@ impl Drop for Server {
 }
 
 /// An answer: status, headers, body.
-struct Answer {
-    status: u16,
+pub struct Answer {
+    pub status: u16,
     headers: String,
     body: Vec<u8>,
 }
@@ -66,18 +68,19 @@ impl Answer {
 }
 
 impl Server {
-    fn start(arguments: &[&str]) -> Server {
-        let mut process = Command::new(env!("CARGO_BIN_EXE_topple"))
-            .args(["explore", "--no-open", "--backend", "cpu"])
-            .args(arguments)
-            .stdout(Stdio::piped())
-            .spawn()
-            .unwrap();
+    /// Starts one, by another command where one is given. Its output is read up to the address, and closed.
+    pub fn start(by: &[&str]) -> Server {
+        let folder = TempDir::new().unwrap();
+        let own = [env!("CARGO_BIN_EXE_topple"), "explore", "--no-open", "--backend", "cpu"];
+        let words = [by, &own].concat();
+        let mut command = Command::new(words[0]);
+        command.args(&words[1..]).env("TMPDIR", folder.path()).stdin(Stdio::null());
+        let mut process = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         let mut line = String::new();
         BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
         let address = line.split_whitespace().last().unwrap().strip_prefix("http://").unwrap();
         let (host, token) = address.trim_end_matches('/').split_once('/').unwrap();
-        Server { process, host: host.into(), token: token.into() }
+        Server { host: host.into(), token: token.into(), process, folder }
     }
 
     /// Sends a request as it is written.
@@ -103,9 +106,13 @@ impl Server {
     }
 
     fn post(&self, path: &str, body: &Value) -> Answer {
+        self.post_bytes(path, body.to_string().as_bytes())
+    }
+
+    pub fn post_bytes(&self, path: &str, body: &[u8]) -> Answer {
         let Server { host, token, .. } = self;
         let head = format!("POST /{token}/{path} HTTP/1.1\r\nHost: {host}\r\nX-Topple: page\r\n");
-        self.send(&head, body.to_string().as_bytes())
+        self.send(&head, body)
     }
 }
 
@@ -479,18 +486,16 @@ fn what_is_wrong_is_one_line_with_its_key() {
 #[test]
 fn a_dropped_record_shakes_the_base() {
     let server = Server::start(&[]);
-    let Server { host, token, .. } = &server;
     let samples: Vec<String> =
         (0..400).map(|k| format!("{}", 4.0 * (f64::from(k) * 0.05).sin())).collect();
     let file = samples.join("\n");
-    let head = format!("POST /{token}/record HTTP/1.1\r\nHost: {host}\r\nX-Topple: page\r\n");
     // A column of numbers tells neither its step nor its units.
     let body = dropped("a/one.txt", &file);
-    let told = server.send(&head, &body).json();
+    let told = server.post_bytes("record", &body).json();
     assert_eq!(told["needs"], json!(["dt", "units"]), "{told}");
-    let no_record = server.send(&head, &dropped("a/one.txt", "no numbers at all"));
+    let no_record = server.post_bytes("record", &dropped("a/one.txt", "no numbers at all"));
     assert!(no_record.headers.contains(REFUSED), "{}", no_record.headers);
-    let cut = server.send(&head, &body[..body.len() - 1]);
+    let cut = server.post_bytes("record", &body[..body.len() - 1]);
     assert!(String::from_utf8_lossy(&cut.body).contains("did not arrive whole"));
     let mut scene = json!({
         "object": "1", "horizontal": "one.txt", "dt": "0.01", "units": "m/s2",

@@ -1,6 +1,7 @@
 //! `topple figures` from outside: files, captions, and one line for every bad input.
 
 use crate::common::command::Assert;
+use crate::common::picture;
 use crate::common::room::Room;
 use proptest::prelude::*;
 use topple_lab::figures::Figure;
@@ -13,15 +14,9 @@ fn figures(room: &Room, line: &str) -> Assert {
     room.process(&line).env_remove("TOPPLE_RECORDS").assert()
 }
 
-/// What a picture says, its lines joined.
+/// What a picture says.
 fn words(room: &Room, name: &str) -> String {
-    let svg = room.read(&format!("out/{name}.svg"));
-    let texts = svg.lines().filter(|line| line.starts_with("<text"));
-    let plain = |line: &str| {
-        let pieces = line.split('<').filter_map(|piece| Some(piece.split_once('>')?.1));
-        pieces.collect::<String>()
-    };
-    texts.map(plain).collect::<Vec<_>>().join(" ")
+    picture::words(&room.read(&format!("out/{name}.svg")))
 }
 
 #[test]
@@ -94,47 +89,6 @@ fn what_goes_beyond_the_paper_leaves_its_files() {
     }
     // Four seconds at 12.5 frames a second, and the last.
     assert_eq!((frames, decoder.width(), decoder.height()), (51, 1000, 470));
-}
-
-#[test]
-fn bad_input_is_refused_in_one_line() {
-    let room = Room::new();
-    let refused = |line: &str, said: &[&str]| {
-        room.refuses(&format!("figures --backend cpu --out ./out {line}"), said);
-        assert!(!room.has("out") || room.names("out").is_empty(), "nothing is left behind");
-    };
-    refused("--only fig99", &["--only", "fig99", "fig04"]);
-    refused("--cells 1", &["--cells"]);
-    refused("--cells 1000000", &["fig04", "GiB"]);
-    refused("--records no/such/place", &["--records", "no/such/place"]);
-    refused("--scenes no/such/place", &["--scenes", "no/such/place"]);
-    let head = "title = \"t\"\nshows = \"outcomes\"\n[scene]\nblock = { object = 1 }\n\
-                base = { t_h = 1.75, t_v = 0.75 }\npulse = { omega = 3, a_h = 2 }\n[[panel]]\n";
-    for (text, said) in [
-        ("[[panel]]\nshow = 1\n", "line "),
-        ("title = \"t\"\nshows = \"colours\"\n[[panel]]\n", "line 2"),
-        (&head.replace("[scene]", "columns = 0\n[scene]"), "columns"),
-        (&format!("{head}motion = \"mars\"\n"), "no motion 'mars'; there are kobe"),
-        (&format!("{head}fixed_step = 0.0\n"), "panel a: fixed_step"),
-        (&format!("{head}fixed_step = 1e-12\n"), "panel a: t_max"),
-        (&format!("{head}scene.block.object = 4\n"), "panel a: object"),
-        (&format!("{head}scene.blocks = 4\n"), "panel a: the key `blocks` is not known here"),
-        (&format!("{head}window = {{ x = [0, nan], y = [0, 1] }}\n"), "panel a: window"),
-        (&format!("{head}shows = \"motion\"\n"), "panel a: cells: missing"),
-        (&format!("{head}shows = \"shares\"\n"), "panel a: eccentricities: missing"),
-        (&format!("{head}[[panel]]\nshows = \"least_amplitude\"\n"), "do not go together"),
-        (
-            &format!("{head}paths = [{{ name = \"P\", omega = 2, a_h = 3 }}]\n"),
-            "panel a: P: a_h must be start:stop:count",
-        ),
-        (
-            &format!("{head}motion = \"kobe\"\npaths = [{{ name = \"P\", omega = 2, a_h = 3 }}]\n"),
-            "panel a: P: a record's map",
-        ),
-    ] {
-        room.write("scenes/mine.toml", text);
-        refused("--scenes ./scenes", &["mine", said]);
-    }
 }
 
 /// A path's name becomes a file's, whatever it holds.

@@ -396,38 +396,3 @@ fn marks_are_shares_by_weight_above_all_bands() {
     let uneven = |(_, share): &&(f64, f64)| (4.0 * share).fract() > 0.01;
     assert!(shares.iter().filter(uneven).count() > 2, "{shares:?}");
 }
-
-#[test]
-fn what_makes_no_sense_is_refused() {
-    let room = Room::suite();
-    room.write("bad.csv", "level,rate\n1,0.1\n2,0.2\n");
-    for (more, said) in [
-        ("--alpha-y 0.1", "give --u-y or --yield-force"),
-        ("--u-y 0.01 --levels 0:2:3", "give levels above 0"),
-        ("--u-y 0.01 --levels 1e9", "give lower levels"),
-        ("--u-y 0.01 --estimator ida", "give --levels"),
-        ("--u-y 0.01 --estimator mean", "[possible values: stripes, ida, cloud]"),
-        ("--u-y 0.01 --im sa", "is no intensity measure"),
-        ("--u-y 0.01 --im pga* --eccentricity 0:0.2:2", "give pga or pgv"),
-        ("--u-y 0.01 --hazard ./bad.csv", "line 3"),
-        ("--u-y 0.01 --target 0.1", "--hazard"),
-        ("--u-y 0.01 --hazard-units g", "--hazard"),
-        ("--u-y 0.01 --resample event", "--resample: the event of a is not known; give recording"),
-        ("--u-y 0.01 --resample day", "[possible values: event, recording, motion]"),
-        ("--u-y 0.01 --export json", "[possible values: nrml, pelicun]"),
-        ("--u-y 0.01 --limit-u -1", "must be a positive number"),
-        ("--u-y 0.01 --im sa:1e-9", "0.01 to 100 s"),
-        ("--u-y 0.01 --bootstrap 0", "39"),
-        ("--u-y 0.01 --seed 4294967296", "a whole number from 0 to 4294967295"),
-        (
-            "--u-y 0.01 --limit-zeta 1",
-            "is not below 1, the rocking index of a block that has overturned",
-        ),
-        ("--u-y 0.01 --im pga* --vary eccentricity=uniform(0,0.2)", "for each block"),
-        ("--u-y 0.01 --limit-v 0.1 --isolation horizontal", "does not move"),
-        ("--u-y 0.01 --vary scale=normal(1,0.1)", "is no number of this scene"),
-    ] {
-        room.refuses(&format!("{FRAGILITY} --object 1 --t-h 1.5 --t-v 0.5 {more}"), &[said]);
-        assert!(!room.has("out"), "{more}");
-    }
-}

@@ -70,26 +70,6 @@ fn the_units_of_a_hazard_curve_are_said() {
     room.refuses(&line("./silent.csv --im pgv --hazard-units g"), &["pgv is no acceleration"]);
 }
 
-/// A curve whose words say another thing than annual rates of the measure is refused in a line, and nothing is written.
-#[test]
-fn a_curve_of_another_thing_is_refused() {
-    let room = Room::suite();
-    for (heading, more, wanted) in [
-        ("PGA [g],PoE50", "pga", "line 1, column PoE50: says no annual rate of exceedance"),
-        ("PGA [g],PoE50", "pga --hazard-units g", "line 1, column PoE50: says no annual rate"),
-        ("PSA [g],rate", "pga", "line 1, column PSA [g]: these are no levels of pga"),
-        ("Sa(0.2 s) (g),AFE", "sa:1.8", "these are no levels of sa:1.8"),
-        ("PGA [g_n],rate", "pga", "levels in `g n` are not read; give g, m/s2, cm/s2"),
-        ("PGV [mm/s],rate", "pgv", "levels in `mm/s` are not read; give m/s, cm/s"),
-        ("PGA [g],rate,source", "pga", "line 1: it has 3 columns"),
-    ] {
-        room.write("site.csv", format!("{heading}\n0.1,0.01\n0.2,0.001\n"));
-        let site = format!("--hazard ./site.csv --levels 1,2 --im {more}");
-        room.refuses(&format!("{FRAGILITY} {BASE} {ONE} {site}"), &[wanted, "--hazard: "]);
-        assert!(!room.has("out"), "{heading}");
-    }
-}
-
 /// Where nothing fails there is no rate but a bound, and where the highest level alone fails no rate of zero.
 #[test]
 fn rates_without_a_curve_have_bounds() {
@@ -122,47 +102,4 @@ fn rates_without_a_curve_have_bounds() {
     let unknown = "annual rate not known: motions fail at an end of the levels alone";
     assert!(told.contains(unknown), "{told}");
     assert!(number(&row, "rate_empirical") > 0.0);
-}
-
-/// Levels in another unit than that of the hazard curve, or than was meant, are warned of; so are events that are too few.
-#[test]
-fn levels_and_events_that_tell_little_are_warned_of() {
-    let room = Room::suite();
-    room.write("low.csv", "PGA [m/s2],rate\n0.05,1e-1\n0.5,1e-3\n");
-    room.write("usual.csv", "PGA [m/s2],rate\n0.5,1e-1\n20,1e-4\n");
-    let rows = ["a", "b", "c", "d"].map(|name| format!("{name},{name}.txt,0.02,m/s2,quake\n"));
-    room.write("events.csv", format!("id,horizontal,dt,units,event\n{}", rows.concat()));
-    let run = |more: &str| {
-        let told =
-            room.run(&format!("fragility {BASE} {ONE} --bootstrap 39 --out ./out {more}")).err;
-        let kept: Vec<String> =
-            serde_json::from_value(room.json("out")["warnings"].clone()).unwrap_or_default();
-        // What is warned of is kept.
-        assert_eq!(told.matches("topple: warning: ").count(), kept.len(), "{told} {kept:?}");
-        assert!(kept.iter().all(|one| told.contains(one)), "{told} {kept:?}");
-        told
-    };
-    for (more, wanted) in [
-        (
-            "--suite ./list.csv --levels 0.05:0.5:4:log",
-            "the levels, 0.05 to 0.5 m/s²: levels are in m/s²; if they were meant in g",
-        ),
-        (
-            "--suite ./list.csv --levels 1:16:8:log --hazard ./low.csv",
-            "all levels, 1 to 16 m/s², are above the hazard curve, 0.05 to 0.5 m/s²",
-        ),
-        (
-            "--suite ./events.csv --levels 1:16:8:log",
-            "the motions are of 1 event, too few for intervals by event (10)",
-        ),
-        (
-            "--suite ./events.csv --levels 1:16:8:log --resample event",
-            "the intervals are of 1 event; of fewer than 10",
-        ),
-    ] {
-        let told = run(more);
-        assert!(told.contains(wanted), "{wanted}: {told}");
-    }
-    let told = run("--suite ./list.csv --levels 1:16:8:log --hazard ./usual.csv");
-    assert!(!told.contains("in the same unit") && !told.contains("meant in g"), "{told}");
 }

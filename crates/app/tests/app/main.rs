@@ -4,6 +4,8 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../../../records/tests/common/told.rs"]
+mod told;
 
 mod again;
 mod beside;
@@ -39,6 +41,7 @@ mod remarks;
 mod repair;
 mod reports;
 mod resampled;
+mod said;
 mod same_runs;
 mod shards;
 mod suite_files;

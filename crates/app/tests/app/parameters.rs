@@ -55,58 +55,6 @@ fn every_number_is_a_flag_and_a_key() {
     }
 }
 
-/// The line of a scene, some of its flags replaced.
-fn line(more: &str) -> String {
-    let good = "--half-width 0.2,--height 0.9,--t-h 1.75,--t-v 0.75,--omega 5,--a-h 3,--t-max 2";
-    let given = |flag: &str| more.split(' ').any(|word| word == flag);
-    let kept = good.split(',').filter(|pair| !given(pair.split(' ').next().unwrap()));
-    let kept = kept.collect::<Vec<_>>().join(" ");
-    format!("pulse --backend cpu --quiet --out ./out {kept} {more}")
-}
-
-#[track_caller]
-fn refused(more: &str, said: &[&str]) {
-    Room::new().refuses(&line(more), said);
-}
-
-#[test]
-fn what_a_person_mistypes_is_refused_and_accepted_when_forced() {
-    for (flag, value, said) in [
-        ("--half-width", "300", "metres"),
-        ("--xi-h", "5", "percent"),
-        ("--step", "10", "seconds"),
-        ("--offset", "80", "metres"),
-    ] {
-        refused(&format!("{flag} {value}"), &[flag, "not plausible", said, "--force"]);
-    }
-    Room::new().run(&line("--half-width 300 --height 900 --force"));
-    Room::new().run(&line("--xi-h 5 --force"));
-    // Beyond what makes sense at all nothing is accepted.
-    refused("--xi-h 50 --force", &["--xi-h", "between 0 and 10"]);
-}
-
-#[test]
-fn negative_numbers_have_the_ranges_message() {
-    refused("--mass -900", &["--mass", "-900 must be a positive number"]);
-    refused("--t-h -1:2:5", &["--t-h", "-1 must be a positive number"]);
-    refused("--eccentricity -1.5", &["--eccentricity", "between -1 and 1"]);
-    Room::new().run(&line("--eccentricity -.5"));
-}
-
-#[test]
-fn alternatives_exclude_each_other() {
-    refused("--u-y 0.01 --alpha-y 0.1", &["--u-y", "--alpha-y says it too"]);
-    refused("--eccentricity 0.1 --offset 0.02", &["--offset", "--eccentricity says it too"]);
-    refused("--yield-force 500", &["--mass", "missing"]);
-    refused("--offset 0.2", &["--offset", "outside the base"]);
-}
-
-#[test]
-fn seven_axes_are_too_many() {
-    let axes = "--t-h 1,2 --t-v 1,2 --omega 1,2 --a-h 1,2 --a-v 1,2 --half-width 1,2 --height 1,2";
-    refused(axes, &["7 parameters", "6 at most"]);
-}
-
 /// The axes of map.csv of a run.
 fn axes(more: &str) -> String {
     let room = Room::new();
@@ -134,8 +82,6 @@ fn the_pictures_axes_are_those_that_were_chosen() {
     assert_eq!(scene(None, Some(Parameter::TH)), "omega,t_h,a_h");
     assert_eq!(scene(Some(Parameter::TH), None), "t_h,omega,a_h");
     assert_eq!(scene(Some(Parameter::AH), Some(Parameter::TH)), "a_h,t_h,omega");
-    refused("--t-h 1 --x t_h", &["--x: --t-h is no axis"]);
-    refused("--omega 1,2 --x omega --y omega", &["--y: --omega is along the other axis"]);
 }
 
 /// A name that an outcome's column has too would be there twice.

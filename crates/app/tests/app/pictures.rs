@@ -1,5 +1,8 @@
 //! Pictures as a reader of a journal sees them: letters, lines and legends in print.
 
+use png::Transformations;
+
+use crate::common::picture::{differing, pixels, words};
 use crate::common::room::{Room, number};
 
 /// Points of a millimetre.
@@ -39,16 +42,6 @@ fn numbers(svg: &str, attribute: &str) -> Vec<f64> {
         .skip(1)
         .map(|rest| rest.split('"').next().unwrap().parse().unwrap())
         .collect()
-}
-
-/// What a picture says, its lines joined.
-fn words(svg: &str) -> String {
-    let texts = svg.lines().filter(|line| line.starts_with("<text"));
-    let plain = |line: &str| {
-        let pieces = line.split('<').filter_map(|piece| Some(piece.split_once('>')?.1));
-        pieces.collect::<String>()
-    };
-    texts.map(plain).collect::<Vec<_>>().join(" ")
 }
 
 /// Holds a picture to 90 mm, letters of 6 points and lines of a quarter of a point: those that journals ask for.
@@ -154,7 +147,7 @@ fn a_records_name_stands_on_its_maps() {
 fn a_png_says_how_large_it_is_in_print() {
     let room = Room::new();
     run(&room, &map(), "out");
-    let (info, _) = pixels(&room.bytes("out/map.png"));
+    let (info, _) = pixels(&room.bytes("out/map.png"), Transformations::EXPAND);
     let size = info.pixel_dims.unwrap();
     assert_eq!(size.unit, png::Unit::Meter);
     assert_eq!((size.xppu, size.yppu), (11_811, 11_811), "300 pixels an inch");
@@ -164,16 +157,6 @@ fn a_png_says_how_large_it_is_in_print() {
     let stated: f64 = width.parse().unwrap();
     // Half a pixel at each side.
     assert!((wide - stated).abs() < 0.1, "{wide} mm, {stated} mm");
-}
-
-/// What a PNG says of itself, and its pixels.
-fn pixels(png: &[u8]) -> (png::Info<'static>, Vec<u8>) {
-    let mut decoder = png::Decoder::new(std::io::Cursor::new(png.to_vec()));
-    decoder.set_transformations(png::Transformations::EXPAND);
-    let mut reader = decoder.read_info().unwrap();
-    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-    reader.next_frame(&mut pixels).unwrap();
-    (reader.info().clone(), pixels)
 }
 
 /// Holds a picture to a width in mm, to letters of a size in points, and to a title.
@@ -191,7 +174,8 @@ fn is_printed(room: &Room, name: &str, (width, size): (f64, f64), title: &str) {
     assert!(asked > 5, "{name}: {sizes:?}");
     assert!(sizes.iter().all(|own| *own < 8.0 / 7.0 * size + 0.01), "{name}: {sizes:?}");
     // Half a pixel at the end.
-    let wide = f64::from(pixels(&room.bytes(&format!("{name}.png"))).0.width);
+    let wide =
+        f64::from(pixels(&room.bytes(&format!("{name}.png")), Transformations::EXPAND).0.width);
     assert!((wide - width / 25.4 * 300.0).abs() <= 0.51, "{name}: {wide} pixels");
     let said = words(&svg);
     assert!(said.starts_with(title), "{name}: {said}");
@@ -262,43 +246,13 @@ fn a_repeated_run_prints_its_pictures_alike() {
     }
 }
 
-#[test]
-fn what_cannot_be_printed_is_refused_before_anything_is_made() {
-    let room = Room::suite();
-    for (print, problem) in [
-        ("--width 39.9", "--width: a picture is 40 to 600 mm wide, not 39.9"),
-        ("--width 601", "--width: a picture is 40 to 600 mm wide, not 601"),
-        ("--width nan", "--width: "),
-        ("--font-size 3.9", "--font-size: letters are of 4 to 40 pt, not 3.9"),
-        ("--font-size 41", "--font-size: letters are of 4 to 40 pt, not 41"),
-        ("--font-size -1", "--font-size: "),
-        (
-            "--font-size 20",
-            "--font-size: letters of 20 pt need a picture that is 163 mm wide, not 90",
-        ),
-        ("--width 50", "--width: letters of 7 pt need a picture that is 57 mm wide, not 50"),
-        ("--title ' '", "--title"),
-    ] {
-        for line in [
-            &map(),
-            "suite ./list.csv",
-            "envelope --object 1 --u-y 0.01 --t-h 1.5 --t-v 0.5 --suite ./list.csv",
-            &format!("history {CELL} --omega 5 --a-h 3"),
-        ] {
-            room.refuses(&format!("{line} {print} --out ./out"), &[problem]);
-            assert!(!room.has("out"), "{print}");
-        }
-    }
-    let shard = format!("{} --tile 1/2 --width 90 --out ./out", map());
-    room.refuses(&shard, &["--tile: a shard has no pictures"]);
-}
-
 /// In greys nothing has a hue, in letters, lines and images; a repetition keeps them.
 #[test]
 fn a_grey_print_has_no_colours() {
     let room = Room::new();
     let hues = |out: &str| {
-        let (info, pixels) = pixels(&room.bytes(&format!("{out}/map.png")));
+        let (info, pixels) =
+            pixels(&room.bytes(&format!("{out}/map.png")), Transformations::EXPAND);
         let samples = pixels.len() / (info.width * info.height) as usize;
         assert!(samples >= 3, "{samples}");
         pixels.chunks(samples).filter(|pixel| pixel[0] != pixel[1] || pixel[1] != pixel[2]).count()
@@ -314,7 +268,6 @@ fn a_grey_print_has_no_colours() {
     // Dark red and black, which are one in a grey print of the colours, differ: one of them has lines.
     let said = words(&svg(&room, "pulse/map"));
     assert!(said.contains("0 impacts, right corner"), "{said}");
-    room.refuses(&format!("{} --palette red --out ./none", map()), &["--palette"]);
 }
 
 /// Numbers on the lines of a map do not lie in heaps: each has room around it, one of the same value more.
@@ -409,13 +362,6 @@ fn spectra_are_the_least_values_that_lift_and_overturn() {
     assert!(svg.contains("stroke-dasharray=\"4 2.4\""), "{svg}");
     run(&room, "run ./map", "again");
     room.same("map", "again", &["spectrum.csv"]);
-    for (axes, said) in [
-        ("--omega 5 --a-h 0.1:15:9", "--spectrum: spectra are of a map of two axes"),
-        // The least of amplitudes of both signs is none.
-        ("--omega 1:9:4 --a-h=-5:5:5", "how strong the shaking is"),
-    ] {
-        room.refuses(&format!("pulse {CELL} {axes} --spectrum --out ./none"), &[said]);
-    }
 }
 
 /// Letters that no font has would be empty boxes: a line names them and the texts that have them, once for all pictures of a run, and

@@ -2,20 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use png::Transformations;
+
+use crate::common::picture;
 use crate::common::room::{Room, Row, number};
 
 const PULSE: &str = "pulse --object 1 --t-h 1.75 --t-v 0.75 --t-max 6 --eccentricity 0.2 --omega 1:12:12 --a-h 1:12:11 \
     --backend cpu --verify none --out ./out";
-
-/// A picture's size and pixels, with or without their palette.
-fn picture(room: &Room, transformations: png::Transformations) -> ((u32, u32), Vec<u8>) {
-    let mut decoder = png::Decoder::new(std::io::Cursor::new(room.bytes("out/refined.png")));
-    decoder.set_transformations(transformations);
-    let mut reader = decoder.read_info().unwrap();
-    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-    let info = reader.next_frame(&mut pixels).unwrap();
-    ((info.width, info.height), pixels)
-}
 
 /// The cells that the leaves of a table cover.
 fn area(leaves: &[Row], height: &str) -> usize {
@@ -42,8 +35,8 @@ fn the_command_writes_pictures_and_leaves() {
     assert!(head.starts_with("omega,a_h,level,width,height,beside,impacts_differ,outcome,"));
     let leaves = room.rows("out/leaves.csv");
     assert_eq!(area(&leaves, "height"), 177 * 161);
-    let (size, pixels) = picture(&room, png::Transformations::IDENTITY);
-    assert_eq!(size, (177, 161));
+    let (info, pixels) = picture::pixels(&room.bytes("out/refined.png"), Transformations::IDENTITY);
+    assert_eq!((info.width, info.height), (177, 161));
     let mut outcomes: BTreeMap<u8, BTreeSet<String>> = BTreeMap::new();
     for leaf in &leaves {
         let i = ((number(leaf, "omega") - 1.0) * 16.0).round() as usize;
@@ -59,7 +52,7 @@ fn the_command_writes_pictures_and_leaves() {
     assert!(outcomes.len() >= 4 && outcomes.values().all(|names| names.len() == 1), "{outcomes:?}");
     // In greys nothing has a hue, and lines are over classes that share one.
     room.run(&format!("{PULSE} --refine 4 --palette grey"));
-    let (_, pixels) = picture(&room, png::Transformations::EXPAND);
+    let (_, pixels) = picture::pixels(&room.bytes("out/refined.png"), Transformations::EXPAND);
     assert!(pixels.chunks(3).all(|pixel| pixel[0] == pixel[1] && pixel[1] == pixel[2]));
     let svg = room.read("out/refined.svg");
     let hexes = svg.split('#').skip(1).filter(|rest| !rest.starts_with("lines"));
@@ -105,19 +98,5 @@ fn leaves_in_the_store_go_with_their_map() {
         assert!(room.has("out/leaves.zarr/zarr.json"));
         room.run(&format!("{PULSE} {more}")).has("leaves.zarr");
         assert!(!room.has("out/leaves.zarr"));
-    }
-}
-
-#[test]
-fn what_cannot_be_refined_is_refused() {
-    for (more, problem) in [
-        ("--omega 1:12:12 --a-h 3 --refine 2", "--refine: a refined map has two axes"),
-        ("--omega 1,2,5 --a-h 1:3:9 --refine 2", "is a list"),
-        ("--omega 1:12:12 --a-h 1:3:9 --refine 0", "--refine: no level"),
-        ("--omega 1:12:400 --a-h 1:3:400 --refine 9", "finest grid"),
-        ("--omega 1:12:12 --a-h 1:3:9 --refine 2 --tile 1/2", "cannot be used"),
-    ] {
-        let line = format!("pulse --object 1 --t-h 1.75 --t-v 0.75 {more}");
-        Room::new().refuses(&line, &[problem]);
     }
 }

@@ -103,40 +103,6 @@ fn an_offset_is_warned_of_and_a_line_takes_it_away() {
     room.same("line", "file", &["history.csv"]);
     room.write("scene.toml", text.replace("\"line\"", "\"poly\""));
     room.refused("history ./scene.toml --out ./no");
-    let poly = "seismic --object 1 --horizontal ./off.csv --baseline poly";
-    room.refuses(poly, &["--baseline"]);
-}
-
-#[test]
-fn a_factor_that_no_ground_has_is_refused_and_forced() {
-    let room = Room::new();
-    // A peak of 0.4 g.
-    component(&room, "a.at2", "228", 300);
-    room.write("list.csv", "id,horizontal\none,a.at2\n");
-    let line = "seismic --object 1 --isolation none --verify none --horizontal ./a.at2 --out ./out";
-    // Under a suite, too: of one factor, and of several.
-    let base = "--object 1 --u-y 0.01 --t-h 1 --t-v 0.5 --suite ./list.csv --out ./out";
-    for (scale, wanted) in [
-        ("150", "--scale: the factor 150 makes the peak 588"),
-        ("-150", "--scale: the factor -150 makes the peak 588"),
-        ("1,30", "--scale: the factor 30 makes the peak 117"),
-        ("1:60:4", "--scale: the factor 40.3"),
-    ] {
-        let line = format!("{line} --scale {scale}");
-        room.refuses(&line, &[wanted, "--force accepts it"]);
-    }
-    room.refuses(&format!("{line} --scale=inf"), &["--scale"]);
-    room.refuses(&format!("{line} --scale=nan"), &["--scale"]);
-    room.refuses(&format!("{line} --scale 1e308 --force"), &["--scale: the factor"]);
-    for (command, scale, factor) in
-        [("envelope", "150", "150"), ("envelope", "1,30", "30"), ("fragility", "1,30", "30")]
-    {
-        let wanted = format!("--scale: one: the factor {factor} makes the peak");
-        room.refuses(&format!("{command} {base} --scale {scale}"), &[&wanted]);
-    }
-    for more in ["--scale 25", "--scale 150 --force"] {
-        room.run(&format!("{line} {more}"));
-    }
 }
 
 #[test]
@@ -147,33 +113,4 @@ fn a_floor_bears_the_synthetic_pair_too() {
     let pair = &room.json("out")["scene"]["excitation"]["record"];
     // The synthetic pair has 0.6 g.
     assert!(pair["pga_h"].as_f64().unwrap() > 8.0, "{pair}");
-}
-
-#[test]
-fn what_says_nothing_or_cannot_be_made_is_refused_in_a_line() {
-    let room = Room::new();
-    for (name, azimuth) in
-        [("a", "228"), ("b", "318"), ("plain", "L"), ("askew", "250"), ("upward", "UP")]
-    {
-        component(&room, &format!("{name}.at2"), azimuth, 50);
-    }
-    for (more, wanted) in [
-        ("--floor-damping 0.1", "--floor-damping: it says nothing without --floor-period"),
-        ("--join-gap 3", "--join-gap: it says nothing without --join"),
-        ("--azimuth 3", "--azimuth: it says nothing without --horizontal-2"),
-        ("--horizontal-2 ./b.at2", "--horizontal-2: it says nothing without --azimuth"),
-        ("--floor-period 0", "--floor-period: 0 must be from 0.01 to 20 s"),
-        ("--floor-period nan", "--floor-period: NaN must be from 0.01 to 20 s"),
-        ("--floor-period 1 --floor-damping 1", "--floor-damping: 1 must be at least 0 and below 1"),
-        ("--join ./b.at2 --join-gap -1", "--join-gap: -1 must be from 0 to 3600 s"),
-        ("--join ./b.at2 --horizontal-2 ./b.at2 --azimuth 9", "--join: a record that is turned"),
-        ("--join ./upward.at2", "--join: 'A Quake, 1/2/2003, Town, UP' is a vertical component"),
-        ("--horizontal-2 ./askew.at2 --azimuth 9", "228 and 250 degrees are not at right angles"),
-        ("--horizontal-2 ./plain.at2 --azimuth 9", "--horizontal-2-azimuth: the file of"),
-        ("--join nowhere.at2", "--join: nowhere.at2: "),
-        ("--omega 5 --a-h 3 --join ./b.at2", "a scene has a pulse or a record"),
-    ] {
-        room.refuses(&format!("{CELL} --horizontal ./a.at2 {more} --out ./out"), &[wanted]);
-        assert!(!room.has("out"), "{more}");
-    }
 }

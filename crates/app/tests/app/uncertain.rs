@@ -45,38 +45,6 @@ fn probabilities_are_written_and_made_again() {
 }
 
 #[test]
-fn what_cannot_be_is_refused_in_a_line() {
-    let room = Room::new();
-    for (more, said) in [
-        ("--vary omega=uniform(1,2)", "--vary: omega is an axis of the map"),
-        ("--vary friction=uniform(1,2)", "give --friction a value"),
-        ("--vary t_h=normal(0.2,0.1)", "2.3 % of its values lie outside the range"),
-        ("--vary t_h=normal(1.75,0.35)", "0.000029 % of its values lie outside the range"),
-        ("--vary t_h=normal(0.2)", "has 1 numbers; normal has two, MEAN,DEVIATION"),
-        ("--vary th=normal(1,1)", "'th' is no number of a scene"),
-        ("--vary psi=uniform(0,1) --vary psi=uniform(0,1)", "psi varies twice"),
-        ("--pixel --seed 4294967296", "a whole number from 0 to 4294967295"),
-        ("--pixel --tile 1/2", "cannot be used with '--tile"),
-        ("--pixel --resume", "cannot be used with '--resume"),
-        ("--samples 8", "--samples: means nothing where all is known; give --vary or --pixel"),
-        ("--sharpness --tile 1/2", "cannot be used with '--tile"),
-    ] {
-        room.refuses(&format!("{SCENE} {more} --out ./out"), &[said]);
-    }
-    let one = "--object 1 --t-h 1 --t-v 1 --omega 5 --a-h 5 --out ./out";
-    room.refuses(&format!("pulse {one} --pixel"), &["--pixel: no number has several values"]);
-    // Nothing of the synthetic record either.
-    let seismic = "seismic --object 1 --t-h 1:2:3 --t-v 1 --vary t_h=uniform(1,2) --out ./out";
-    room.refuses(seismic, &["t_h is an axis"]);
-    assert!(!room.has("out"));
-    // One directory holds a map or probabilities.
-    room.run(&format!("{SCENE} {CPU} --vary psi=uniform(0.2,0.3) --samples 2 --out ./out"));
-    let said = "holds a probability map; give a map a directory of its own";
-    room.refuses(&format!("{SCENE} --out ./out"), &[said]);
-    room.refuses(&format!("history {one}"), &["holds a probability map"]);
-}
-
-#[test]
 fn sharpness_is_told_where_it_is_asked_for() {
     let room = Room::new();
     let cell = "pulse --object 1 --eccentricity 0.2 --t-h 1.75 --t-v 0.75";

@@ -11,6 +11,7 @@ use std::sync::LazyLock;
 
 pub mod command;
 pub mod golden;
+pub mod picture;
 pub mod room;
 pub mod suite;
 

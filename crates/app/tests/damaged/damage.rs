@@ -4,34 +4,8 @@ use rand_pcg::Pcg64Mcg;
 use rand_pcg::rand_core::Rng;
 
 /// Numbers that are extreme, or none.
-const NUMBERS: [&str; 26] = [
-    "0",
-    "-0",
-    "-1",
-    "1",
-    "2",
-    "0.5",
-    "1e-9",
-    "1e-300",
-    "5e-324",
-    "1e9",
-    "1e20",
-    "1e308",
-    "1e309",
-    "-1e308",
-    "nan",
-    "NaN",
-    "inf",
-    "-inf",
-    "255",
-    "65536",
-    "1048577",
-    "4294967295",
-    "4294967296",
-    "9223372036854775808",
-    "18446744073709551615",
-    "99999999999999999999999999",
-];
+const NUMBERS: &str = "0 -0 -1 1 2 0.5 1e-9 1e-300 5e-324 1e9 1e20 1e308 1e309 -1e308 nan NaN inf -inf 255 65536 1048577 \
+    4294967295 4294967296 9223372036854775808 18446744073709551615 99999999999999999999999999";
 /// Words of some reader's language, and what no reader expects.
 const WORDS: [&str; 16] = [
     ":", ",", ",,,,", ";", "=", "\"", "[", "[[", "{", "}", "\n", "\0", "\u{feff}", "\u{3c0}", "  ",
@@ -122,6 +96,7 @@ fn replace_number(bytes: &mut Vec<u8>, chance: &mut Chance) {
         .collect();
     let Some(start) = (!begins.is_empty()).then(|| *chance.one(&begins)) else { return };
     let end = start + bytes[start..].iter().take_while(|byte| is_part(byte)).count();
-    let number = chance.one(&NUMBERS).as_bytes();
+    let numbers: Vec<&str> = NUMBERS.split(' ').collect();
+    let number = chance.one(&numbers).as_bytes();
     bytes.splice(start..end, number.iter().copied());
 }

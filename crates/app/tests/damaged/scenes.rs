@@ -51,21 +51,9 @@ pub fn read(bytes: &[u8]) -> Result<(), String> {
 }
 
 pub fn values() -> Vec<Vec<u8>> {
-    let texts = [
-        "1.75",
-        "0.2:15:400",
-        "0.01:10:50:log",
-        "1,2,4",
-        "t_h=normal(1.75,0.1,1,2)",
-        "a_h=uniform(1,2)",
-        "t_v=lognormal(0.5,0.3)",
-        "normal(0.5,0.1)",
-        "3/16",
-        "avg-sa:1.5",
-        "sa:0.5",
-        "pga*",
-    ];
-    texts.map(|text| text.as_bytes().to_vec()).to_vec()
+    let texts = "1.75 0.2:15:400 0.01:10:50:log 1,2,4 t_h=normal(1.75,0.1,1,2) a_h=uniform(1,2) t_v=lognormal(0.5,0.3) \
+                 normal(0.5,0.1) 3/16 avg-sa:1.5 sa:0.5 pga*";
+    texts.split(' ').map(|text| text.as_bytes().to_vec()).collect()
 }
 
 /// The text as each thing that it may be; the first that it is counts.

@@ -4,40 +4,30 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+#[path = "../common/told.rs"]
+mod told;
 
-mod at2;
 mod baseline;
 mod bounded;
 mod columns {
-    mod directions;
     mod motions;
     mod several;
     mod signs;
-    mod unit_words;
-    mod values;
-    mod words;
 }
-mod component;
-mod contradictions;
-mod dated;
-mod fdsn;
 mod floor;
 mod lines;
 mod missing;
-mod numbers;
 mod other_programs;
-mod packed;
 mod path_text;
+mod plain_files;
 mod provenance;
 mod read;
 mod sequence;
 mod shown;
 mod stated;
-mod stated_columns;
 mod text;
-mod times;
 mod turned;
-mod units;
 mod unlikely;
+mod words;
 mod written_records;
 mod zips;

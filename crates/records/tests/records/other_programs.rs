@@ -1,41 +1,6 @@
 //! Files of other programs.
 
-use topple_records::other_programs::{of, of_text, of_zip};
-
-#[test]
-fn texts_of_other_kinds_are_told_and_headings_are_not() {
-    for (text, said) in [
-        ("<?xml version=\"1.0\"?>\n<q:quakeml xmlns:q=\"\"/>", "QuakeML, which"),
-        ("<q:quakeml>", "QuakeML, which"),
-        ("<?xml version=\"1.0\"?>\n<FDSNStationXML/>", "StationXML, which"),
-        ("<nrml>", "XML, not a record"),
-        ("<?xml version=\"1.0\"?><!DOCTYPE html><html>", "a web page"),
-        ("[1.0e-3, 2.0e-3]", "a list in brackets"),
-        ("[ -0.1 0.2\n 0.3]", "a list in brackets"),
-        ("[[0, 1], [2, 3]]", "a list in brackets"),
-        ("array([0.1, 0.2])", "a list in brackets"),
-        ("acc = [0.1 0.2\n0.3];", "a list in brackets"),
-        ("c(0.1,\n0.2)", "a list in brackets"),
-        ("[\n0.1,\n0.2\n]\n", "a list in brackets"),
-        ("{\"dt\": 0.01}", "JSON"),
-        ("[\n {\"a\": 1}]", "JSON"),
-    ] {
-        let what = of_text(text).unwrap_or_default();
-        assert!(what.starts_with(said) && what.contains("; "), "{text}: {what}");
-    }
-    for text in [
-        "",
-        "1\n2",
-        "[Points, ground]\n1\n2",
-        "[g]\n1",
-        "< 1\n2",
-        "{acc}\n1",
-        "[1] acc\n1\n2",
-        "acc (0.01 s)\n1\n2",
-    ] {
-        assert_eq!(of_text(text), None, "{text}");
-    }
-}
+use topple_records::other_programs::{of, of_zip};
 
 #[test]
 fn files_of_other_programs_are_told_with_what_to_do() {

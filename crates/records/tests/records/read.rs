@@ -56,74 +56,10 @@ fn every_other_format() {
     let cosmos = read(&cosmos()).unwrap();
     assert_eq!((cosmos.dt, cosmos.samples.as_slice()), (0.005, &[0.1, -0.2, -0.3, 0.04][..]));
 
-    let dt = hints(Some(0.02), Some(Units::G));
-    let one = read::bytes(b"# heading\n0.1\n\n-0.2\n0.3\n", &dt).unwrap();
-    assert_eq!((one.dt, one.samples[1]), (0.02, -0.2 * GRAVITY));
     let units = hints(None, Some(Units::MetresPerSecondSquared));
-    for text in
-        ["0 1\n0.01 2\n0.02 3\n", "time,acc\n0,1\n0.01,2\n0.02,3\n", "0\t1\r\n0.01\t2\r\n0.02\t3"]
-    {
-        let two = read::bytes(text.as_bytes(), &units).unwrap();
-        assert_abs_diff_eq!(two.dt, 0.01, epsilon = 1e-12);
-        assert_eq!(two.samples, [1.0, 2.0, 3.0]);
-        assert!(two.notes.is_empty());
-    }
-    // As spreadsheets of half the world write it.
-    let commas = read::bytes(b"Zeit;a\n0;1,5\n0,01;-2,5\n0,02;3\n", &units).unwrap();
-    assert_abs_diff_eq!(commas.dt, 0.01, epsilon = 1e-12);
-    assert_eq!(commas.samples, [1.5, -2.5, 3.0]);
-    assert_eq!(commas.notes, ["decimal commas"]);
-    // A heading that has units needs none, and allows no others.
-    let headed = b"Time (s);Acc (cm/s^2)\n0;150\n0,01;-250\n0,02;300\n";
-    let none = hints(None, None);
-    assert_eq!(read::bytes(headed, &none).unwrap().samples, [1.5, -2.5, 3.0]);
-    let error = read::bytes(headed, &units).unwrap_err().to_string();
-    assert!(error.contains("the file's units are cm/s2, `units` says m/s2"), "{error}");
-    let gap = read::bytes(b"0 1\n0.01 2\n; ,\n0.02 3\n", &units).unwrap_err().to_string();
-    assert!(gap.starts_with("line 3: an empty row amid the samples"), "{gap}");
-    assert!(read::bytes(b"0 1\n0.01 2\n; ,\n;\n", &units).is_ok());
     // What a terminal would obey, and an SVG may not hold, is no part of a title.
     let coloured = read::bytes(b"\x1b[31mred\x07\n0 1\n0.01 2\n", &units).unwrap();
     assert_eq!(coloured.title, "[31mred");
-}
-
-#[test]
-fn what_is_no_record_is_refused_with_its_line() {
-    let refused = |text: &str, hints: &RecordHints, said: &str| {
-        let error = read::bytes(text.as_bytes(), hints).unwrap_err().to_string();
-        assert!(error.contains(said), "{said}: {error}");
-    };
-    let nothing = RecordHints::default();
-    refused("", &nothing, "fewer than two");
-    refused("1\n2\n3\n", &nothing, "dt");
-    refused("1\n2\n3\n", &hints(Some(0.01), None), "units");
-    refused("1\nx\n3\n", &hints(Some(0.01), Some(Units::G)), "line 2");
-    refused("0 1\n1 2\n5 3\n", &hints(None, Some(Units::G)), "line 3: 3 samples are missing");
-    refused(",\t\n;\n", &hints(Some(0.01), Some(Units::G)), "fewer than two");
-    refused("1 2 3\n", &nothing, "line 1");
-    refused(&AT2.replace(".3000000E-01", ".3x"), &nothing, "line 5");
-    refused(&AT2.replace("      7", "     70"), &nothing, "ends after 7 of its 70");
-    refused(&AT2.replace("      7", "   99e9"), &nothing, "line");
-    refused(&AT2.replace(".0100", "0.0"), &nothing, "time step");
-    refused(&AT2.replace("ACCELERATION", "VELOCITY"), &nothing, "line 3");
-    refused(&esm().replace("DATA_TYPE: ACC", "DATA_TYPE: VEL"), &nothing, "line 64");
-    refused(&KNET.replace("(gal)/", " per "), &nothing, "line 14");
-    refused(AT2, &hints(Some(0.02), None), "leave `dt` out");
-    refused(
-        AT2,
-        &hints(None, Some(Units::MetresPerSecondSquared)),
-        "the file's units are g, `units` says m/s2; leave `units` out, or correct the file",
-    );
-    assert!(read::bytes(AT2.as_bytes(), &hints(None, Some(Units::G))).is_ok());
-    let metres = hints(Some(0.01), Some(Units::MetresPerSecondSquared));
-    refused("0,5\n0,7\n", &metres, "if its commas are decimal ones, write points");
-    // Numbers in the wrong units are refused.
-    refused("100\n-150\n20\n", &hints(Some(0.01), Some(Units::G)), "not plausible");
-    refused(
-        "1e-4\n-2e-5\n",
-        &hints(Some(0.01), Some(Units::CentimetresPerSecondSquared)),
-        "not plausible",
-    );
 }
 
 #[test]
@@ -188,21 +124,6 @@ fn rows_that_begin_with_dates_are_read_and_aligned_by_them() {
     let other = format!("time,acc (g)\n{}", rows(&|k| format!("3:{k}")));
     let error = read::bytes(other.as_bytes(), &RecordHints::default()).unwrap_err();
     assert!(error.to_string().contains("2003-01-02T03:04:05.01"), "{error}");
-}
-
-#[test]
-fn codes_of_missing_samples_are_doubted_in_every_format() {
-    let rows: String = (0..200)
-        .map(|k| match k {
-            70 | 71 => format!("{:.2},-999.00000\n", 0.01 * f64::from(k)),
-            _ => format!("{:.2},{:.5}\n", 0.01 * f64::from(k), 300.0 * (0.3 * f64::from(k)).sin()),
-        })
-        .collect();
-    let text = format!("time (s),acc (cm/s2)\n{rows}");
-    let doubts = |text: &str| read::bytes(text.as_bytes(), &RecordHints::default()).unwrap().doubts;
-    let missing = doubts(&text).into_iter().find(|doubt| doubt.contains("missing")).unwrap();
-    assert!(missing.starts_with("2 samples are exactly -999, number 71 first"), "{missing}");
-    assert!(doubts(&text.replace("-999.", "-299.")).iter().all(|doubt| !doubt.contains("missing")));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Texts as messages repeat them.
 
-use topple_records::shown::{is_hidden, line, shown, word};
+use topple_records::shown::{is_hidden, line, shown};
 
 #[test]
 fn letters_that_nobody_sees_are_hidden() {
@@ -10,15 +10,6 @@ fn letters_that_nobody_sees_are_hidden() {
         assert!(is_hidden(letter), "{letter:?}");
     }
     assert!("aé漢 ".chars().all(|letter| !is_hidden(letter)));
-}
-
-#[test]
-fn a_shell_takes_a_word_as_it_is() {
-    assert_eq!(word("--a-h=0.1:15:40"), "--a-h=0.1:15:40");
-    assert_eq!(word("a *.at2"), "'a *.at2'");
-    assert_eq!(word("*"), "'*'");
-    assert_eq!(word("it's"), r"'it'\''s'");
-    assert_eq!(word(""), "''");
 }
 
 #[test]

@@ -4,17 +4,19 @@
 
 #[path = "../../../../tests/common/mod.rs"]
 mod common;
+#[path = "../../../records/tests/common/told.rs"]
+mod told;
 
 mod comparison {
     mod devices;
 }
 mod estimators;
 mod fits;
+mod folders;
 mod fragility {
     mod curve;
+    mod curves;
     mod hazard;
-    mod hazard_heading;
-    mod hazard_text;
     mod interval;
     mod newton;
 }
@@ -26,11 +28,11 @@ mod statistics {
     mod bca;
     mod bootstrap;
     mod distribution;
-    mod distribution_text;
     mod normal;
     mod quantile;
     mod share;
 }
 mod suite_files;
 mod suites;
+mod texts;
 mod uncertain;

@@ -1,81 +1,66 @@
-mod numbers;
-mod rows;
+//! Numbers of tables, and tables of a length.
 
-use topple_studies::sheet::{Row, Rows, Sheet, TableError, row_in_comment};
+use topple_studies::sheet::{Decimals, Rows};
 
-fn error(text: &str) -> String {
-    let sheet = match Sheet::of(Rows::of(text, 1, false).unwrap(), |_| false) {
-        Ok(sheet) => sheet.unwrap(),
-        Err(error) => return error.to_string(),
+fn of(table: &str, text: &str) -> Result<f64, String> {
+    Decimals::of(&Rows::of(table, 1, true).unwrap(), |_| false).number(text)
+}
+
+#[test]
+fn a_number_that_may_be_another_one_is_none() {
+    let (commas, semicolons, tabs, blanks) = ("a,b\n", "a;b\n", "a\tb\n", "1 2\n");
+    let (decimal_commas, decimal_points) = ("a;b\n0,25;1\n", "a;b\n0.25;1\n");
+    let (tabs_commas, tabs_points) = ("a\tb\n1,5\t1\n", "a\tb\n1.5\t1\n");
+    let both = "a;b\n0.25;0,25\n";
+    for (table, comma, point) in [
+        (commas, None, Some(1.25)),
+        (blanks, None, Some(1.25)),
+        (semicolons, None, None),
+        (decimal_commas, Some(1.25), None),
+        (decimal_points, None, Some(1.25)),
+        (tabs, None, None),
+        (tabs_commas, Some(1.25), None),
+        (tabs_points, None, Some(1.25)),
+        (both, None, None),
+    ] {
+        for (text, wanted) in [("1,250", comma), ("1.250", point), ("-1,250", comma.map(|n| -n))] {
+            let found = of(table, text);
+            assert_eq!(found.clone().ok(), wanted, "{table:?} {text}");
+            if let Err(said) = found {
+                assert!(said.contains("may be ") && said.contains("1250 or "), "{said}");
+            }
+        }
+        // These are one number in any table.
+        for (text, wanted) in [
+            ("0,005", 0.005),
+            ("0.005", 0.005),
+            (",125", 0.125),
+            ("1,5", 1.5),
+            ("1.25", 1.25),
+            ("1234,567", 1234.567),
+            ("1.250e3", 1250.0),
+            ("1,250E+1", 12.5),
+            ("200000", 200_000.0),
+            ("+4e-4", 4e-4),
+        ] {
+            assert_eq!(of(table, text), Ok(wanted), "{table:?}");
+        }
+        for text in ["1,200.5", "1,2,3", "1.250.000", "200 000", "x", "", ",", "1,2e", "0,5 m"] {
+            let said = of(table, text).unwrap_err();
+            assert!(said.contains("is no number such as"), "{text}: {said}");
+        }
+    }
+}
+
+/// Letter by letter it takes minutes.
+#[test]
+fn a_line_of_a_million_blanks_takes_no_minute() {
+    let began = std::time::Instant::now();
+    let cells = |text: &str| -> Vec<String> {
+        let row = Rows::of(text, 1, true).unwrap().next().unwrap().unwrap();
+        row.cells.iter().map(|cell| cell.to_string()).collect()
     };
-    let rows: Result<Vec<Row>, TableError> = sheet.rows().collect();
-    rows.map_or_else(|error| error.to_string(), |rows| format!("{} rows", rows.len()))
-}
-
-#[test]
-fn columns_have_names_and_rows_have_all_of_them() {
-    for (text, wanted) in [
-        ("a,b,,\n1,2,,\n3,4\n5,6,,,\n", "3 rows"),
-        ("a,,b\n1,,2\n", "1 rows"),
-        ("a,b,,\n1,2,3,\n", "line 2: '3' stands in a column without a name"),
-        ("a,b\n1,2,3\n", "line 2: '3' stands in a column without a name"),
-        ("a,b\n\n1\n", "line 3: 1 fields where the heading has 2"),
-        ("t_h,b,T-H\n", "line 1, column T-H: it stands twice"),
-    ] {
-        assert!(error(text).starts_with(wanted), "{text:?}: {}", error(text));
-    }
-}
-
-/// A name that looks like a number is none: it tells no decimal sign.
-#[test]
-fn names_tell_no_decimal_sign() {
-    for name in ["2.1", "A", "1,5"] {
-        let text = format!("device;k1\n{name};900.000\n");
-        let rows = Rows::of(&text, 1, false).unwrap();
-        let sheet = Sheet::of(rows, |name| name == "device").unwrap().unwrap();
-        let row = sheet.rows().next().unwrap().unwrap();
-        let said = sheet.cell(&row, 1).number().unwrap_err().to_string();
-        assert!(said.contains("may be 900000 or 900"), "{name}: {said}");
-    }
-}
-
-/// A quote that another row ends would hide the rows between.
-#[test]
-fn no_cell_holds_rows() {
-    let rows = Rows::of("a,b\n\"A,1\nB\",2\n", 1, false).unwrap();
-    let error = rows.skip(1).find_map(Result::err).unwrap().to_string();
-    assert!(
-        error.starts_with("line 2: a cell within quotes has a line break and a `,`"),
-        "{error}"
-    );
-}
-
-#[test]
-fn a_comment_with_the_cells_of_a_row_is_doubted() {
-    for (text, line) in [
-        ("a,b\n#A,1\nB,2\n", Some(2)),
-        ("a,b,,\nB,2\n# c\n#A,1,,\n", Some(4)),
-        ("a;b\n#A,1\n#A;1\n", Some(3)),
-        ("#a,b\na,b\n# A,1\n#A\n#A,1,2\nB,2\n", None),
-        ("a\n#A\nB\n", None),
-        ("", None),
-    ] {
-        let said = row_in_comment(text).unwrap_or_default();
-        let wanted = line.map_or(String::new(), |line| format!("line {line} has the cells"));
-        assert!(said.starts_with(&wanted) && said.is_empty() == line.is_none(), "{text:?} {said}");
-    }
-}
-
-#[test]
-fn a_cell_has_its_place() {
-    let rows = Rows::of("a;b\n\n0,5;200.000\n", 1, false).unwrap();
-    let sheet = Sheet::of(rows, |_| false).unwrap().unwrap();
-    let row = sheet.rows().next().unwrap().unwrap();
-    assert_eq!(sheet.cell(&row, 0).number(), Ok(Some(0.5)));
-    let error = sheet.cell(&row, 1).number().unwrap_err().to_string();
-    assert_eq!(
-        error,
-        "line 3, column b: '200.000' may be 200000 or 200; write the one that is meant"
-    );
-    assert_eq!(sheet.cell(&row, 7).number(), Ok(None));
+    assert_eq!(cells(&format!("1,{}2", " ".repeat(4_000_000))), ["1", "2"]);
+    assert_eq!(cells(&format!("1,\"{}2\"", "\"\"".repeat(1_000_000)))[0], "1");
+    assert!(began.elapsed().as_secs() < 60, "{:?}", began.elapsed());
 }

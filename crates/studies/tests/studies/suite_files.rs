@@ -6,21 +6,10 @@ use std::path::Path;
 
 use approx::assert_relative_eq;
 use tempfile::TempDir;
-use topple::scene::record::Baseline;
-use topple_studies::suites::read::Reading;
 use topple_studies::suites::{Suite, SuiteError};
 
 use crate::common::motions::Motion;
-
-/// Puts a motion's file into a folder; the amplitudes differ by the name, so that none is a copy.
-fn put(folder: &Path, name: &str, azimuth: Option<u32>) {
-    let salt = name.bytes().map(f64::from).sum::<f64>() / 1.0e4;
-    let mut motion = Motion::made(200, azimuth);
-    motion.samples.iter_mut().for_each(|a| *a *= 1.0 - 0.2 * salt.fract());
-    let place = folder.join(name);
-    fs::create_dir_all(place.parent().unwrap()).unwrap();
-    fs::write(place, motion.at2().text).unwrap();
-}
+use crate::folders::put;
 
 /// The largest horizontal acceleration of a file.
 fn peak(folder: &Path, name: &str) -> f64 {
@@ -33,40 +22,6 @@ fn records() -> TempDir {
     put(folder.path(), "A090.AT2", Some(90));
     put(folder.path(), "A-UP.AT2", None);
     folder
-}
-
-/// A list is read whatever a program makes of it: its factor and its weight are never lost.
-#[test]
-fn lists_are_read_as_programs_save_them() {
-    let wide = |text: &str, mark: &str| -> Vec<u8> {
-        format!("{mark}{text}").encode_utf16().flat_map(u16::to_le_bytes).collect()
-    };
-    let commas = "id,horizontal,vertical,scale,weight\none,A090.AT2,A-UP.AT2,2.5,3\n";
-    for bytes in [
-        commas.as_bytes().to_vec(),
-        b"id;horizontal;vertical;scale;weight\r\none;A090.AT2;A-UP.AT2;2,5;3\r\n".to_vec(),
-        b"sep=;\r\nid;horizontal;vertical;scale;weight\r\none;A090.AT2;A-UP.AT2;2,5;3\r\n".to_vec(),
-        commas.replace(',', "\t").into_bytes(),
-        commas.replace('\n', "\r").into_bytes(),
-        wide(commas, "\u{feff}"),
-        wide(commas, ""),
-        format!("\u{feff}{}", commas.replace("id,hor", "ID,Hor").replace("scale", "SCALE")).into_bytes(),
-        b"\"id\",\"horizontal\",\"vertical\",\"scale\",\"weight\"\n\"one\",\"A090.AT2\",\"A-UP.AT2\",\"2.5\",\"3\"\n".to_vec(),
-        b"\"id,horizontal,vertical,scale,weight\"\n\"one,A090.AT2,A-UP.AT2,2.5,3\"\n".to_vec(),
-        format!("\n{commas}\x1a").into_bytes(),
-        commas.replace("A090", ".\\\\A090").replace("\\\\", "\\").into_bytes(),
-    ] {
-        let folder = records();
-        let list = folder.path().join("list.csv");
-        fs::write(&list, &bytes).unwrap();
-        for path in [folder.path(), &list] {
-            let suite = Suite::read(path, true).unwrap_or_else(|e| panic!("{e}: {}", String::from_utf8_lossy(&bytes)));
-            let rows: Vec<_> = suite.motions().collect();
-            assert_eq!((rows.len(), rows[0].0.id.as_str(), rows[0].0.weight), (1, "one", 3.0));
-            let wanted = 2.5 * peak(folder.path(), "A090.AT2");
-            assert_relative_eq!(rows[0].1.measures.pga_h, wanted, max_relative = 1e-12);
-        }
-    }
 }
 
 const PEERS: &str = "PEER Ground Motion Database\n\n -- Summary --\n\
@@ -99,36 +54,6 @@ fn a_zip_of_windows_has_a_list_with_semicolons() {
             assert_relative_eq!(*found, 1.4457 * peak(folder.path(), name), max_relative = 1e-12);
         }
     }
-    // A factor that is no number is not passed over.
-    let broken = PEERS.replace("1,4457", "1,4x");
-    fs::write(folder.path().join("_SearchResults.csv"), broken).unwrap();
-    let error = Suite::read(&folder.path().join("_SearchResults.csv"), false).unwrap_err();
-    assert!(
-        error.to_string().contains("line 5, column Scale Factor: '1,4x' is no number"),
-        "{error}"
-    );
-}
-
-#[test]
-fn names_alike_in_two_folders_are_two_motions() {
-    let folder = TempDir::new().unwrap();
-    for place in ["one", "two"] {
-        put(folder.path(), &format!("{place}/H1.AT2"), Some(90));
-        put(folder.path(), &format!("{place}/V.AT2"), None);
-    }
-    let list = folder.path().join("list.csv");
-    let read = |text: &str| {
-        fs::write(&list, format!("horizontal,vertical\n{text}")).unwrap();
-        Suite::read(&list, false).unwrap()
-    };
-    let suite = read("one/H1.AT2,one/V.AT2\ntwo/H1.AT2,two/V.AT2\n");
-    let ids: Vec<&str> = suite.motions().map(|(entry, _)| entry.id.as_str()).collect();
-    assert_eq!(ids, ["one/H1.AT2", "two/H1.AT2"]);
-    // The folders of a list that lay elsewhere, and none.
-    assert_eq!(read("C:\\data\\TWO\\h1.at2,D:/two/V.AT2\n").motions().count(), 1);
-    let suite = read("H1.AT2,one/V.AT2\ntwo/H1.AT2,two/V.AT2\n");
-    let (_, why) = suite.left_out().next().unwrap();
-    assert_eq!(why, "H1.AT2 may be one/H1.AT2 or two/H1.AT2; give its folder in the list");
 }
 
 #[test]
@@ -198,19 +123,6 @@ fn files_are_paired_by_what_they_state() {
     let suite = Suite::read(folder.path(), false).unwrap();
     let (_, why) = suite.left_out().find(|(entry, _)| entry.id == "a1.txt").unwrap();
     assert!(why.starts_with("2 verticals may belong to it (a2.txt, a3.txt)"), "{why}");
-}
-
-/// A fault in PEER's list is told with its line in the file, above which words stand.
-#[test]
-fn a_fault_of_a_download_is_told_with_its_line() {
-    let folder = records();
-    let list = "Words\n\nResult ID,Record Sequence Number,Earthquake Name,Year,Station Name,Scale Factor,\
-                Horizontal-1 Acc. Filename,Horizontal-2 Acc. Filename,Vertical Acc. Filename\n\
-                1,7,\"E\n F\",1990,S,1,A090.AT2,,A-UP.AT2\n2,8,E,1990,S,two,A090.AT2,,A-UP.AT2\n";
-    fs::write(folder.path().join("_SearchResults.csv"), list).unwrap();
-    let error = Suite::read(folder.path(), false).unwrap_err().to_string();
-    let wanted = "_SearchResults.csv: line 6, column Scale Factor: 'two' is no number";
-    assert!(error.contains(wanted), "{error}");
 }
 
 /// A pipe, a socket or a device is no file: it is named, and nothing waits for it.
@@ -303,70 +215,6 @@ fn a_folder_that_cannot_be_read_is_left_out_and_named() {
     assert_eq!(told, if may { vec![] } else { vec!["lost+found"] });
 }
 
-/// Tables that give files of the suite their factors, and are no lists, are refused; what only speaks of the files is told.
-#[test]
-fn tables_of_factors_beside_a_suite_are_refused() {
-    let of = |name: &str, text: &str| {
-        let folder = records();
-        put(folder.path(), "B090.AT2", Some(90));
-        put(folder.path(), "B-UP.AT2", None);
-        fs::write(folder.path().join(name), text).unwrap();
-        Suite::read(folder.path(), false)
-    };
-    let cs_select = "Files are at a place\n a\n b\n\nRecord Number\tScale Factor\tFile Name Dir. 1\tFile Name Dir. 2\tURL\n\
-                     1\t1.50\tA090.AT2\tA-UP.AT2\tx\n2\t2.50\tB090.AT2\tB-UP.AT2\tx\n";
-    let events = "{\"Events\": [{\"Records\": [{\"factor\": 1.5, \"fileName\": \"A090.AT2\"},\n\
-                  {\"factor\": 2.5, \"fileName\": \"B090.AT2\"}]}]}";
-    for (name, text) in [
-        ("Output_File.dat", cs_select),
-        ("events.json", events),
-        ("pairs.txt", "A090.AT2 1.5\nB090.AT2 2.5\n"),
-        ("factors", "A090.AT2: 1.5\nB090.AT2: 2.5\n"),
-        (
-            "set.xml",
-            "<?xml version=\"1.0\"?>\n<set><m file=\"A090.AT2\" scale=\"2\"/><m file=\"B090.AT2\" scale=\"3\"/></set>\n",
-        ),
-        ("set.tcl", "set factor(A090.AT2) 1.5\nset factor(B090.AT2) 2.5\n"),
-        ("semicolons.dat", "gm/A090.AT2;1.5\ngm/B090.AT2;2.5\n"),
-        ("Faktoren.csv", "Satz;Faktor\nA090;1,5\nB090;2,5\n"),
-        ("ids.txt", "record\tscale\nA090\t1.5\nB090\t2.5\n"),
-    ] {
-        let error = of(name, text).unwrap_err().to_string();
-        assert!(
-            error.contains(name) && error.contains("it names ") && error.contains("a list"),
-            "{error}"
-        );
-    }
-    for (name, text) in [
-        ("readme.txt", "A090.AT2 and B090.AT2 are made up, 200 samples each\n"),
-        ("readme.md", "| A090.AT2 | scale factor 1.5 |\n| B090.AT2 | 2.5 |\n"),
-    ] {
-        let suite = of(name, text).unwrap();
-        assert_eq!(
-            suite.unused[0].why,
-            "it names A090.AT2 and others; nothing in it is applied to them"
-        );
-    }
-    // One file that is named is no table; and a list holds whatever lies beside it.
-    assert_eq!(
-        of("x.txt", "factor of A090.AT2: 1.5\n").unwrap().unused[0].why,
-        "its name tells no component"
-    );
-    let folder = records();
-    put(folder.path(), "B090.AT2", Some(90));
-    fs::write(
-        folder.path().join("list.csv"),
-        "horizontal,vertical,scale\nA090.AT2,A-UP.AT2,1.5\nB090.AT2,,2.5\n",
-    )
-    .unwrap();
-    fs::write(folder.path().join("events.json"), events).unwrap();
-    assert!(
-        Suite::read(folder.path(), false).unwrap().unused[0]
-            .why
-            .contains("nothing in it is applied")
-    );
-}
-
 /// A stream that was recorded and corrected counts once; by its name, or by what its file states. A list says what is meant.
 #[test]
 fn one_stream_in_two_processings_counts_once() {
@@ -406,69 +254,6 @@ fn one_stream_in_two_processings_counts_once() {
     assert!(suite.motions().all(|(entry, _)| {
         entry.notes.iter().any(|note| note.ends_with("not corrected by its file"))
     }));
-    // Folders say it, too.
-    let folders = TempDir::new().unwrap();
-    put(folders.path(), "Raw/A090.AT2", Some(90));
-    put(folders.path(), "Raw/A-UP.AT2", None);
-    put(folders.path(), "Processed/A090.AT2", Some(90));
-    put(folders.path(), "Processed/A-UP.AT2", None);
-    let suite = Suite::read(folders.path(), false).unwrap();
-    assert_eq!(suite.motions().next().unwrap().0.horizontal, "Processed/A090.AT2");
-    assert_eq!((suite.motions().count(), suite.rows.len()), (1, 2));
-    let list = folders.path().join("list.csv");
-    fs::write(&list, "horizontal,vertical\nRaw/A090.AT2,\nProcessed/A090.AT2,\n").unwrap();
-    assert_eq!(Suite::read(&list, false).unwrap().motions().count(), 2);
-}
-
-/// A factor of a list is bounded as a peak is, and a baseline is a column, a flag's default, and a note.
-#[test]
-fn factors_and_baselines_of_a_list_are_judged() {
-    let folder = records();
-    let list = folder.path().join("list.csv");
-    let of = |text: &str, baseline| {
-        fs::write(&list, text).unwrap();
-        Suite::read_as(&list, Reading { strict: true, baseline })
-    };
-    let scaled =
-        |scale: &str| format!("id,horizontal,vertical,scale\none,A090.AT2,A-UP.AT2,{scale}\n");
-    // A peak of some 3 m/s2.
-    assert!(of(&scaled("10"), None).is_ok());
-    for scale in ["150", "1e5"] {
-        let error = of(&scaled(scale), None).unwrap_err().to_string();
-        let factor: f64 = scale.parse().unwrap();
-        assert!(error.contains(&format!("one: the factor {factor} makes the peak")), "{error}");
-    }
-    for scale in ["inf", "nan", "-1"] {
-        let error = of(&scaled(scale), None).unwrap_err().to_string();
-        assert!(error.contains("line 2, column scale: "), "{error}");
-    }
-    let mut off = Motion::made(400, Some(90));
-    off.samples.iter_mut().for_each(|a| *a += 0.3);
-    fs::write(folder.path().join("off.AT2"), off.at2().text).unwrap();
-    let lined = "id,horizontal,vertical,baseline\nno,off.AT2,,none\nyes,off.AT2,A-UP.AT2,line\nblank,off.AT2,A090.AT2,\n";
-    assert!(of(lined, None).is_err_and(|error| error.to_string().contains("blank")));
-    let lined = "id,horizontal,vertical,baseline\nno,off.AT2,,none\nyes,off.AT2,A-UP.AT2,line\n";
-    let suite = of(lined, None).unwrap();
-    let rows: Vec<_> = suite.motions().collect();
-    let said = |row: usize, what: &str| rows[row].0.notes.iter().any(|note| note.contains(what));
-    assert!(
-        said(0, "horizontal: the ground ends with the velocity") && !said(0, "baseline: an offset")
-    );
-    assert!(
-        said(1, "horizontal: baseline: an offset of 0.3") && !said(1, "ends with the velocity")
-    );
-    let treatment = rows[1].1.pair.provenance.as_ref().unwrap().treatment;
-    assert_eq!(treatment.baseline, Some(Baseline::Line));
-    // A line that says nothing is as the flag says.
-    let blank = "id,horizontal,vertical,baseline\none,off.AT2,A-UP.AT2,\n";
-    let (with, without) = (of(blank, Some(Baseline::Line)).unwrap(), of(blank, None).unwrap());
-    let pgv = |suite: &Suite| suite.motions().next().unwrap().1.measures.pgv;
-    assert!(pgv(&with) < 0.5 * pgv(&without), "{} {}", pgv(&with), pgv(&without));
-    let error = of(&blank.replace("A-UP.AT2,", "A-UP.AT2,poly"), None).unwrap_err().to_string();
-    assert!(
-        error.contains("line 2, column baseline: poly is not known; give none or line"),
-        "{error}"
-    );
 }
 
 /// A link to a folder may lead out of the suite: it is not followed, and no file of the same name is taken in its place.

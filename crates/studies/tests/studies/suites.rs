@@ -2,8 +2,6 @@
 
 mod columns;
 mod falling;
-mod names;
-mod processing;
 mod reserve;
 mod shown;
 mod spectrum;
@@ -17,10 +15,10 @@ use approx::assert_relative_eq;
 use tempfile::TempDir;
 use topple::scene::GRAVITY;
 use topple::scene::record::{Pair, Record};
+use topple_studies::suites::Suite;
 use topple_studies::suites::measures::Measures;
-use topple_studies::suites::{Suite, SuiteError};
 
-use crate::common::suites::{OTHER, RISING, at2, downloaded};
+use crate::common::suites::downloaded;
 
 /// The record of crates/studies/tests/data/measures.py.
 fn made() -> (f64, Vec<f64>) {
@@ -159,80 +157,6 @@ fn folder() -> TempDir {
     folder
 }
 
-fn why<'a>(suite: &'a Suite, id: &str) -> &'a str {
-    suite.left_out().find(|(entry, _)| entry.id == id).unwrap_or_else(|| panic!("{id}")).1
-}
-
-#[test]
-fn a_folder_is_read_by_the_names_of_its_files() {
-    let folder = folder();
-    let suite = Suite::read(folder.path(), false).unwrap();
-    let ids: Vec<&str> = suite.motions().map(|(entry, _)| entry.id.as_str()).collect();
-    assert_eq!(ids, ["RSN1_QUAKE_TWN000", "RSN1_QUAKE_TWN090", "RSN2_QUAKE_CTY010"]);
-    let (entry, first) = suite.motions().next().unwrap();
-    assert_eq!((entry.event.as_str(), entry.station.as_str()), ("A Quake, 1/2/1990", "A Town"));
-    // The common step, the longer duration; and it is said.
-    assert_eq!((first.pair.dt, first.pair.duration()), (0.005, 0.05));
-    let notes = entry.notes.join("; ");
-    assert!(notes.contains("horizontal resampled from 0.01 s to 0.005 s"), "{notes}");
-    assert!(notes.contains("vertical padded with 0.035 s of zeros"), "{notes}");
-    // Positive down is turned over.
-    let (entry, down) = suite.motions().nth(2).unwrap();
-    assert!(entry.notes.join("; ").contains("turned over"));
-    assert_relative_eq!(down.pair.vertical[1], -0.1 * GRAVITY);
-    assert!(why(&suite, "RSN3_QUAKE_VIL000").starts_with("no vertical"));
-    let ambiguous = why(&suite, "RSN4_QUAKE_HAM000");
-    assert!(ambiguous.starts_with("2 verticals may belong to it"), "{ambiguous}");
-    assert_eq!(why(&suite, "RSN5_QUAKE_FAR-UP"), "a vertical without a horizontal");
-    assert!(why(&suite, "RSN6_QUAKE_BAD000").starts_with("RSN6_QUAKE_BAD000.AT2: "));
-    assert_eq!(suite.unused.len(), 1);
-    assert_eq!(suite.unused[0].file, "notes.txt");
-    match Suite::read(folder.path(), true) {
-        Err(SuiteError::Strict { count: 4, all: 7, .. }) => {}
-        other => panic!("{other:?}"),
-    }
-}
-
-/// Two downloads of one layout, each with its own list: a name is that of the file beside its list.
-#[test]
-fn lists_in_two_folders_are_those_of_their_own_files() {
-    let place = TempDir::new().unwrap();
-    for (folder, title, samples) in
-        [("a", "A Town", RISING), ("b", "B Town", [0.0, 0.2, 0.1, -0.3, 0.2, 0.0])]
-    {
-        let folder = place.path().join(folder);
-        fs::create_dir_all(folder.join("sub")).unwrap();
-        let of = |component: &str| format!("A Quake, 1/2/1990, {title}, {component}");
-        fs::write(folder.join("h.AT2"), at2(&of("0"), 0.01, &samples)).unwrap();
-        fs::write(folder.join("sub/v.AT2"), at2(&of("UP"), 0.01, &OTHER)).unwrap();
-        fs::write(folder.join("list.csv"), "id,horizontal,vertical\none,h.AT2,sub/v.AT2\n")
-            .unwrap();
-    }
-    let suite = Suite::read(place.path(), true).unwrap();
-    let found: Vec<(&str, &str, &str)> = suite
-        .motions()
-        .map(|(entry, _)| (&*entry.id, &*entry.station, entry.vertical.as_deref().unwrap()))
-        .collect();
-    assert_eq!(found, [("a/h.AT2", "A Town", "a/sub/v.AT2"), ("b/h.AT2", "B Town", "b/sub/v.AT2")]);
-}
-
-/// A line break in a spreadsheet's cell is a blank.
-#[test]
-fn names_of_a_list_are_one_line() {
-    let place = TempDir::new().unwrap();
-    let title = |component: &str| format!("A Quake, 1/2/1990, A Town, {component}");
-    fs::write(place.path().join("h.AT2"), at2(&title("0"), 0.01, &RISING)).unwrap();
-    let list = place.path().join("list.csv");
-    fs::write(
-        &list,
-        "id,station,event,horizontal\n\"one\n1\",\"A\r\nTown\",\"Big\tQuake\",h.AT2\n",
-    )
-    .unwrap();
-    let suite = Suite::read(&list, true).unwrap();
-    let (entry, _) = suite.motions().next().unwrap();
-    assert_eq!((&*entry.id, &*entry.station, &*entry.event), ("one 1", "A Town", "Big Quake"));
-}
-
 /// The same files, packed.
 #[test]
 fn a_zip_is_read_as_the_folder_is() {
@@ -263,111 +187,6 @@ fn a_zip_is_read_as_the_folder_is() {
     assert_eq!(table(&packed), table(&plain));
 }
 
-const HEADING: &str = "Result ID, Spectral Ordinate, Record Sequence Number, Scale Factor, Earthquake Name, Year, \
-                       Station Name, Horizontal-1 Acc. Filename, Horizontal-2 Acc. Filename, Vertical Acc. Filename";
-
-/// PEER's list as downloaded, and as a spreadsheet saves it again.
-#[test]
-fn lists_of_a_download_are_read() {
-    for (row, after) in [
-        (
-            "1, SRSS, 1, 1.5, \"A, B\", 1990, \"A Town\", RSN1_QUAKE_TWN000.AT2, rsn1_quake_twn090.at2 , RSN1_QUAKE_TWN-UP.AT2  \n\
-             2, SRSS, 7, 1.0, \"C\", 1991, \"D\", RSN7_X_000.AT2, RSN7_X_090.AT2,  -----\n",
-            "\n -- Scaled spectra --\nT, 1\n0.01, 0.5\n",
-        ),
-        (
-            "1, SRSS,1,1.5,\" \"\"A, B\"\"\",1990,\" \"\"A Town\"\"\", RSN1_QUAKE_TWN000.AT2, rsn1_quake_twn090.at2 , RSN1_QUAKE_TWN-UP.AT2  ,,,,\n\
-             2, SRSS,7,1,\" \"\"C\"\"\",1991,\" \"\"D\"\"\", RSN7_X_000.AT2, RSN7_X_090.AT2, -----,,,,\n",
-            ",,,,,,,,,,,\n These records were obtained,,,,,,,\n",
-        ),
-    ] {
-        let folder = folder();
-        let text = format!(" PEER Ground Motion Database\n\nPulse:, 1\n\n{HEADING}\n{row}{after}");
-        fs::write(folder.path().join("_SearchResults.csv"), &text).unwrap();
-        let suite = Suite::read(folder.path(), false).unwrap();
-        let (entry, motion) = suite.motions().next().unwrap();
-        assert_eq!(entry.event, "A, B, 1990");
-        assert_eq!(entry.station, "A Town");
-        assert_relative_eq!(motion.measures.pga_h, 1.5 * 0.3 * GRAVITY, max_relative = 1e-12);
-        assert!(entry.notes.join("; ").contains("scaled by 1.5, the list's factor"));
-        assert_eq!(
-            why(&suite, "RSN7_X_000"),
-            "RSN7_X_000.AT2 is in the list and not among the files"
-        );
-        // What the list does not name is read by its name, and it is said.
-        let (entry, _) =
-            suite.motions().find(|(entry, _)| entry.id == "RSN2_QUAKE_CTY010").unwrap();
-        assert!(entry.notes.contains(&"not in the list".to_string()));
-        // The list alone, by its path, is all that is read.
-        let alone = Suite::read(&folder.path().join("_SearchResults.csv"), false).unwrap();
-        assert_eq!((alone.rows.len(), alone.motions().count()), (4, 2));
-    }
-}
-
-#[test]
-fn lists_of_ones_own_are_read() {
-    let folder = folder();
-    let list = folder.path().join("mine.csv");
-    fs::write(folder.path().join("a.txt"), "0\n100\n-200\n50\n").unwrap();
-    let read = |text: &str| {
-        fs::write(&list, text).unwrap();
-        Suite::read(&list, false)
-    };
-    let suite = read(
-        "id,horizontal,vertical,dt,units,scale,weight\n\
-         one,RSN1_QUAKE_TWN000.AT2,RSN1_QUAKE_TWN-UP.AT2,,,2,\n\
-         two,a.txt,,0.02,cm/s2,,0.5\n\
-         three,sub/RSN2_QUAKE_CTY010.AT2,gone.AT2,,,,\n",
-    )
-    .unwrap();
-    let motions: Vec<_> = suite.motions().collect();
-    assert_eq!((motions[0].0.id.as_str(), motions[1].0.id.as_str()), ("one", "two"));
-    assert_relative_eq!(motions[0].1.measures.pga_h, 0.6 * GRAVITY, max_relative = 1e-12);
-    assert_relative_eq!(motions[1].1.measures.pga_h, 2.0, max_relative = 1e-12);
-    assert_eq!((motions[1].0.weight, motions[1].1.pair.dt), (0.5, 0.02));
-    assert!(motions[1].0.notes[0].contains("the ground does not move vertically"));
-    assert_eq!(
-        why(&suite, "three"),
-        "its vertical gone.AT2 is in the list and not among the files"
-    );
-    // A file is another motion with another time step, or in other units.
-    let suite = read(
-        "id,horizontal,dt,units\na,a.txt,0.02,cm/s2\nb,a.txt,0.04,cm/s2\nc,a.txt,0.02,m/s2\n\
-         d,a.txt,0.02,cm/s2\n",
-    )
-    .unwrap();
-    assert_eq!(why(&suite, "d"), "the same motion as a");
-    assert!(suite.motions().any(|(entry, _)| entry.id == "b"), "{:?}", suite.rows);
-    assert!(suite.left_out().all(|(entry, why)| entry.id != "c" || !why.contains("same motion")));
-    for (text, said) in [
-        ("a,b\n1,2\n", "line 1: no column 'horizontal'"),
-        ("horizontal,dt\nx,0\n", "line 2, column dt: 0 must be a positive number"),
-        ("horizontal,colour\nx,red\n", "line 1: no column is called 'colour'"),
-        ("horizontal,scale\nx,two\n", "line 2, column scale: 'two' is no number"),
-        ("horizontal,weight\nx,1e308\n", "line 2, column weight: 1e308 is above 1e6"),
-        ("id,horizontal\n\na,x\n\na,y\n", "line 5: the id a stands twice"),
-        (
-            "horizontal,units\nx,ft\n",
-            "line 2, column units: ft is not known; give g, m/s2, cm/s2 or gal",
-        ),
-        ("id,horizontal\na,x\na,y\n", "line 3: the id a stands twice"),
-        ("id,horizontal\n\"a\nb\",x\n\nc,y\nc,y\n", "line 6: the id c stands twice"),
-        ("id,horizontal\n\"a\n\nb\",x\nc\n", "line 5: 1 fields where the heading has 2"),
-        ("sep=;\r\nid;horizontal;scale\r\na;x;two\r\n", "line 3, column scale: 'two' is no number"),
-        ("sep=;\n\nid;colour\na;x\n", "line 3: no column 'horizontal'"),
-        ("horizontal\n", "no line below its heading"),
-        ("horizontal,weight\nx,\"1,250\"\n", "line 2, column weight: '1,250' may be 1250 or 1.25"),
-        ("horizontal;scale\nx;1.250\n", "line 2, column scale: '1.250' may be 1250 or 1.25"),
-        ("horizontal\tscale\nx\t1,250\n", "line 2, column scale: '1,250' may be 1250 or 1.25"),
-        ("id,horizontal,ID\na,x,b\n", "line 1, column ID: it stands twice"),
-        ("id,horizontal\n#1,x\n", "line 2: `#` begins a comment"),
-        ("id,horizontal\n\"a,x\nb,y\n", "line 2: a cell begins with a quote"),
-    ] {
-        let error = read(text).unwrap_err().to_string();
-        assert!(error.contains(said) && error.contains("mine.csv: "), "{text:?}: {error}");
-    }
-}
-
 /// The whole download: 74 stations with a vertical, and a list that names more than there is.
 #[test]
 fn a_real_download_is_read() {
@@ -395,43 +214,4 @@ fn a_real_download_is_read() {
     }
     let names = Suite::read(by_name.path(), false).unwrap();
     assert_eq!((names.motions().count(), names.left_out().count()), (148, 12));
-}
-
-/// Copies count once, ids are unique, a list of one's own is found in its folder, and nothing at all is refused.
-#[test]
-fn copies_count_once() {
-    let folder = folder();
-    let copy = |from: &str, to: &str| {
-        fs::create_dir_all(folder.path().join("copy")).unwrap();
-        fs::copy(folder.path().join(from), folder.path().join(to)).unwrap();
-    };
-    copy("RSN1_QUAKE_TWN000.AT2", "copy/RSN1_QUAKE_TWN000.AT2");
-    copy("RSN1_QUAKE_TWN-UP.AT2", "copy/RSN1_QUAKE_TWN-UP.AT2");
-    let suite = Suite::read(folder.path(), false).unwrap();
-    assert_eq!(suite.motions().count(), 3);
-    let mut ids: Vec<&str> = suite.rows.iter().map(|(entry, _)| entry.id.as_str()).collect();
-    let copied = "copy/RSN1_QUAKE_TWN000.AT2";
-    assert_eq!(why(&suite, copied), "the same motion as RSN1_QUAKE_TWN000.AT2");
-    ids.sort_unstable();
-    assert!(ids.windows(2).all(|pair| pair[0] != pair[1]), "{ids:?}");
-
-    let list = "id,horizontal,vertical,scale,weight\none,RSN1_QUAKE_TWN090.AT2,RSN2_QUAKE_CTYDWN.AT2,2,5\n\
-                two,RSN1_QUAKE_TWN090.AT2,RSN2_QUAKE_CTYDWN.AT2,3,\n";
-    fs::write(folder.path().join("mine.csv"), list).unwrap();
-    let suite = Suite::read(folder.path(), false).unwrap();
-    let (entry, _) = suite.motions().next().unwrap();
-    let notes = entry.notes.join("; ");
-    assert!(notes.starts_with("scaled by 2, the list's factor; weight 5"), "{notes}");
-    assert_eq!(
-        suite.motions().filter(|(entry, _)| ["one", "two"].contains(&entry.id.as_str())).count(),
-        2
-    );
-
-    let none = TempDir::new().unwrap();
-    fs::write(none.path().join("RSN1_A_B000.AT2"), "no record").unwrap();
-    let error = Suite::read(none.path(), false).unwrap_err().to_string();
-    assert!(
-        error.starts_with("none of 1 lines is a motion, the first, RSN1_A_B000: no vertical"),
-        "{error}"
-    );
 }

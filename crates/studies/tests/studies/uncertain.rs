@@ -4,7 +4,6 @@ mod ensemble;
 mod indices;
 mod pixel;
 mod points;
-mod varied;
 
 use topple::backend::request::BackendRequest;
 use topple::results::columns::Column;
