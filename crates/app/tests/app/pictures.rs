@@ -2,7 +2,7 @@
 
 use png::Transformations;
 
-use crate::common::picture::{differing, pixels, words};
+use crate::common::picture::{pixels, words};
 use crate::common::room::{Room, number};
 
 /// Points of a millimetre.

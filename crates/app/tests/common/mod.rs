@@ -39,12 +39,6 @@ pub fn own_lines(stderr: &str) -> Vec<String> {
     lines(stderr).into_iter().filter(|line| !DRIVERS.contains(line)).collect()
 }
 
-/// The lines of a run in this process, without the warning that a suite of a few motions tells narrow intervals.
-pub fn all_but_few(stderr: &str) -> Vec<String> {
-    let few = |line: &String| line.contains("; of fewer than 10 they are too narrow");
-    lines(stderr).into_iter().filter(|line| !few(line)).collect()
-}
-
 fn lines(text: &str) -> Vec<String> {
     text.lines().map(String::from).collect()
 }
