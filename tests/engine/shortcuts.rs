@@ -299,9 +299,7 @@ fn a_block_that_chatters_rests_early() {
                 .map(|cell| cell.impacts)
                 .sum()
         };
-        // The steps decide from which flight on a block rests before it overturns: the same steps for both.
-        let mut full = plan.full_model();
-        full.shortcuts.exact_z = true;
+        let full = plan.full_model();
         assert_eq!(impacts(&plan, false), impacts(&full, false), "of blocks that overturn");
         let [fewer, all] = [&plan, &full].map(|plan| impacts(plan, true));
         say(&format!("A_v = {a_v}: {fewer} impacts of {all}"));
