@@ -51,7 +51,7 @@ fn moment_rises(start: real, mid: real, end: real) -> Rise {
 fn kinks_in(y: Motion, y1: Motion, k1: Rates, k_end: Rates, h: real) -> Crossing {
     let one: real = 1.0;
     let zero: real = 0.0;
-    let of_z = !exact_z && crosses(y.z, y1.z);
+    let of_z = crosses(y.z, y1.z);
     let of_du = crosses(y.du, y1.du);
     if !of_z && !of_du {
         return Crossing(NOTHING_SOUGHT, Cubic(-one, zero, zero, zero), one);

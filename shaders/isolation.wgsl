@@ -5,8 +5,6 @@ override isolated_h: bool = true;
 override isolated_v: bool = true;
 override kinks: bool = true;
 override yields: bool = true;
-// z follows from u along a span.
-override exact_z: bool = false;
 override bouc_wen_n: u32 = 2u;
 
 override follows: bool = false;
@@ -143,21 +141,4 @@ fn hysteretic_rate(cell: Cell, y: Motion) -> real {
         }
     }
     return rate * (1.0 - power);
-}
-
-// z of (11) with n = 2 where u has moved from that of the motion `y` without turning back.
-fn hysteresis(cell: Cell, y: Motion, u: real) -> real {
-    let zero: real = 0.0;
-    let one: real = 1.0;
-    let way = (u - y.u) * cell.horizontal.inverse_yield;
-    let forward = way >= 0.0;
-    // z in the direction of u, and where the elastic line leads.
-    let before = select(-y.z, y.z, forward);
-    let elastic = before + abs(way);
-    let unloads = before < 0.0;
-    let onward = max(before, zero);
-    let run = tangent(select(abs(way), max(elastic, zero), unloads));
-    let loaded = (onward * run.bottom + run.top) / (onward * run.top + run.bottom);
-    let z = select(min(loaded, one), elastic, elastic < 0.0);
-    return select(-z, z, forward);
 }

@@ -43,26 +43,3 @@ fn series(x: real) -> real {
     p = -1.0 + x * p;
     return 1.0 + x * p;
 }
-
-// tanh x is the quotient of these.
-struct Tangent {
-    top: real,
-    bottom: real,
-}
-
-// tanh 2x = 2 tanh x/(1 + tanh^2 x).
-fn doubled(half: Tangent) -> Tangent {
-    let product = half.top * half.bottom;
-    return Tangent(product + product, half.bottom * half.bottom + half.top * half.top);
-}
-
-// tanh x for x >= 0, as a numerator and a denominator.
-fn tangent(from_zero: real) -> Tangent {
-    let end: real = 10.0;
-    let x = 0.125 * min(from_zero, end);
-    let t = x * x;
-    var top: real = 0.09523809523809523;
-    var bottom: real = 0.009523809523809525;
-    bottom = 0.42857142857142855 + t * bottom;
-    return doubled(doubled(doubled(Tangent(x * (1.0 + t * top), 1.0 + t * bottom))));
-}

@@ -61,29 +61,3 @@ fn series(x: real) -> real {
     p = -1.0 + x * p;
     return 1.0 + x * p;
 }
-
-// tanh x is the quotient of these.
-struct Tangent {
-    top: real,
-    bottom: real,
-}
-
-// tanh 2x = 2 tanh x/(1 + tanh^2 x).
-fn doubled(half: Tangent) -> Tangent {
-    let product = half.top * half.bottom;
-    return Tangent(product + product, half.bottom * half.bottom + half.top * half.top);
-}
-
-// tanh x for x >= 0, as a numerator and a denominator.
-fn tangent(from_zero: real) -> Tangent {
-    let end: real = 20.0;
-    let x = 0.125 * min(from_zero, end);
-    let t = x * x;
-    var top: real = 7.4000074000074e-06;
-    top = 0.002797202797202797 + t * top;
-    top = 0.1282051282051282 + t * top;
-    var bottom: real = 0.0002072002072002072;
-    bottom = 0.023310023310023312 + t * bottom;
-    bottom = 0.46153846153846156 + t * bottom;
-    return doubled(doubled(doubled(Tangent(x * (1.0 + t * top), 1.0 + t * bottom))));
-}

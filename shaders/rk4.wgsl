@@ -38,14 +38,6 @@ fn shift_back(y: Motion, k1: Rates, k: Rates, back: real, h: real) -> Motion {
     );
 }
 
-// The motion `at` with z as it follows from u since the motion `y`, where it does.
-fn with_z(cell: Cell, y: Motion, at: Motion) -> Motion {
-    if !exact_z {
-        return at;
-    }
-    return Motion(at.u, at.du, at.v, at.dv, hysteresis(cell, y, at.u), at.phi, at.dphi);
-}
-
 // Steps over `h` seconds from the motion `y` with rates `k1`, the ground as it is halfway and at the
 // end.
 fn rk4(
@@ -59,9 +51,9 @@ fn rk4(
     ground_end: Ground,
 ) -> Stepped {
     let half = 0.5 * h;
-    let k2 = rates(cell, corner, rocking, with_z(cell, y, shift(y, k1, half)), ground_mid);
-    let k3 = rates(cell, corner, rocking, with_z(cell, y, shift(y, k2, half)), ground_mid);
-    let k4 = rates(cell, corner, rocking, with_z(cell, y, shift(y, k3, h)), ground_end);
+    let k2 = rates(cell, corner, rocking, shift(y, k1, half), ground_mid);
+    let k3 = rates(cell, corner, rocking, shift(y, k2, half), ground_mid);
+    let k4 = rates(cell, corner, rocking, shift(y, k3, h), ground_end);
     let sixth = 0.16666666666666666 * h;
     let end = Motion(
         y.u + sixth * (k1.du + 2.0 * (k2.du + k3.du) + k4.du),
@@ -75,20 +67,7 @@ fn rk4(
     // Halfway the displacement of one stage lags by h^2/8 of its acceleration and that of the other
     // leads by as much.
     let mid = Contact(0.5 * (k2.shear + k3.shear), 0.5 * (k2.normal + k3.normal));
-    return Stepped(with_z(cell, y, end), mid, 0.5 * (k2.ddu + k3.ddu), 0.5 * (k2.ddv + k3.ddv), k4);
-}
-
-// The step with the rates `end` at its end in place of those of its last stage, and with what is halfway corrected by their
-// difference.
-fn corrected(stepped: Stepped, end: Rates) -> Stepped {
-    let k4 = stepped.k4;
-    let mid = Contact(
-        stepped.mid.shear + 0.25 * (k4.shear - end.shear),
-        stepped.mid.normal + 0.25 * (k4.normal - end.normal),
-    );
-    let mid_ddu = stepped.mid_ddu + 0.25 * (k4.ddu - end.ddu);
-    let mid_ddv = stepped.mid_ddv + 0.25 * (k4.ddv - end.ddv);
-    return Stepped(stepped.y, mid, mid_ddu, mid_ddv, end);
+    return Stepped(end, mid, 0.5 * (k2.ddu + k3.ddu), 0.5 * (k2.ddv + k3.ddv), k4);
 }
 
 // Value at the fraction `at` of the cubic through two ends with their slopes over `h`.

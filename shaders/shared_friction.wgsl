@@ -55,8 +55,7 @@ fn record_at(sample: u32) -> Ground {
 }
 
 // The friction demand so far and within a gap, of which a cell takes the steps from the shared motions at its start.
-// Integrated z and u' are smooth enough across the kinks of the Bouc-Wen law for a gap. A z that follows from u is not:
-// such a step is cut where the chord of u' is zero.
+// They are not cut at the kinks of the Bouc-Wen law, across which z and u' are smooth enough for a gap.
 fn within_gap(pair: MotionPair, cell: Cell, gap: u32, friction: real) -> real {
     let zero: real = 0.0;
     let half: real = 0.5;
@@ -67,28 +66,14 @@ fn within_gap(pair: MotionPair, cell: Cell, gap: u32, friction: real) -> real {
     state.extremes.friction = friction;
     var forcing = segment(cell, gap * cell.steps.substeps, record_at(gap), record_at(gap + 1u));
     for (var step = 0u; step < cell.steps.substeps; step++) {
-        var start = zero;
-        var length = one;
-        while start < one {
-            let y = state.motion;
-            let ground_mid = ground_at(cell, forcing, start + half * length);
-            let ground_end = ground_at(cell, forcing, start + length);
-            let k1 = rates(cell, corner, false, y, ground_at(cell, forcing, start));
-            let h = length * step_length(cell, forcing);
-            var stepped = rk4(cell, corner, false, y, k1, h, ground_mid, ground_end);
-            if exact_z && length >= one && crosses(y.du, stepped.y.du) {
-                length = y.du / (y.du - stepped.y.du);
-                continue;
-            }
-            let k_end = rates(cell, corner, false, stepped.y, ground_end);
-            if exact_z {
-                stepped = corrected(stepped, k_end);
-            }
-            update_contact(&state, contact_of(k1), stepped.mid, contact_of(k_end));
-            state.motion = stepped.y;
-            start = start + length;
-            length = one - start;
-        }
+        let ground_mid = ground_at(cell, forcing, half);
+        let ground_end = ground_at(cell, forcing, one);
+        let k1 = rates(cell, corner, false, state.motion, ground_at(cell, forcing, zero));
+        let h = step_length(cell, forcing);
+        let stepped = rk4(cell, corner, false, state.motion, k1, h, ground_mid, ground_end);
+        let base = support(cell, stepped.y, ground_end);
+        update_contact(&state, contact_of(k1), stepped.mid, Contact(base.f_h, base.f_v));
+        state.motion = stepped.y;
         forcing.done += one;
     }
     return state.extremes.friction;

@@ -39,7 +39,7 @@ fn begin_span(
             span = Span(limit / turned, true);
         }
     }
-    if kinks && yields && !exact_z {
+    if kinks && yields {
         // z of (11) relaxes at the rate n |u'|/u_y, 1/s.
         let limit: real = YIELD_LIMIT;
         let settling = real(bouc_wen_n) * abs(y.du) * cell.horizontal.inverse_yield * step;

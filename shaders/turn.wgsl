@@ -145,20 +145,14 @@ fn turn(cell: Cell, state: ptr<function, State>, t: ptr<function, Turn>) {
     var fraction = start;
     if moved {
         update_motion(state, y, y1, h);
-        var felt = stepped;
-        if exact_z && (forces || accelerations) {
-            // A longer step needs the forces at its end, not those of its last stage.
-            felt = corrected(stepped, rates(cell, corner, rocking, stepped.y, ground_end));
-            k_end = felt.k4;
-        }
         if forces {
-            update_contact(state, contact_of(k1), felt.mid, contact_of(k_end));
+            update_contact(state, contact_of(k1), stepped.mid, contact_of(k_end));
         }
         if accelerations {
             update_accelerations(
                 state,
                 accelerations_of(k1.ddu, k1.ddv, contact_of(k1), ground),
-                accelerations_of(felt.mid_ddu, felt.mid_ddv, felt.mid, ground_mid),
+                accelerations_of(stepped.mid_ddu, stepped.mid_ddv, stepped.mid, ground_mid),
                 accelerations_of(k_end.ddu, k_end.ddv, contact_of(k_end), ground_end),
             );
         }

@@ -22,7 +22,6 @@ const PULSE: Variant = Variant {
     isolated_v: true,
     kinks: true,
     yields: true,
-    exact_z: true,
     certificate: true,
     ..Variant::PLAIN
 };
@@ -79,15 +78,14 @@ fn text(name: &str, variant: Variant, events_kept: usize) -> Value {
 }
 
 fn main() {
-    let rigid = Variant { kinks: false, yields: false, exact_z: false, ..PULSE };
-    let integrated = Variant { exact_z: false, ..PULSE };
+    let rigid = Variant { kinks: false, yields: false, ..PULSE };
     let texts = [
         text("pulse", PULSE, 0),
-        text("record", Variant { recorded: true, ..integrated }, 0),
+        text("record", Variant { recorded: true, ..PULSE }, 0),
         text("no isolation", Variant { isolated_h: false, isolated_v: false, ..rigid }, 0),
         text("horizontal isolation", Variant { isolated_v: false, ..PULSE }, 0),
         text("vertical isolation", Variant { isolated_h: false, ..rigid }, 0),
-        text("n = 5, no shortcuts", Variant { bouc_wen_n: 5, certificate: false, ..integrated }, 0),
+        text("n = 5, no shortcuts", Variant { bouc_wen_n: 5, certificate: false, ..PULSE }, 0),
         text("pulse, switches kept", PULSE, EVENTS_KEPT),
     ];
     println!("{}", json!(texts));

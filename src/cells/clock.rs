@@ -22,21 +22,6 @@ pub const STIFF_PERIOD: f64 = 1.0 / 64.0;
 /// stages of RK4 and have errors of third order in the step, are right to a thousandth of the weight.
 pub const STEPS_A_PULSE: f64 = 64.0;
 
-/// The steps of a cell whose z follows from u, under a pulse: what the integration of z needs is left out of them.
-pub const EXACT_Z: ExactZ = ExactZ { longer: 2.0, steps_a_period: 48.0, fewer_from: 0.25 };
-
-/// See [`EXACT_Z`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ExactZ {
-    /// The longest step over the largest step.
-    pub longer: f64,
-    /// In place of [`STEPS_A_PERIOD`]: RK4 errs by (2 pi/48)^4/120 = 2.4e-6 of an oscillation in each radian of it.
-    pub steps_a_period: f64,
-    /// From this period on, s, the number of steps falls with the power 3/2 of the period, and not with the period: shorter
-    /// periods, where blocks rock chaotically, have as many steps as with an integrated z.
-    pub fewer_from: f64,
-}
-
 /// The longest step of u while the block stands, over the largest step: u is then an oscillation by itself, of
 /// which [`STEPS_A_PERIOD`] steps lose 5e-6 in each period.
 const STANDING: f64 = 2.0;
@@ -54,10 +39,6 @@ pub struct Resolution {
     steps_a_period: f64,
     /// The same for periods around [`SHORT_PERIOD`].
     finest_steps_a_period: f64,
-    /// See [`ExactZ::fewer_from`].
-    fewer_from: f64,
-    /// The longest step of a cell whose z follows from u, over the largest step.
-    longer: f64,
     /// The fewest steps in a period of a pulse.
     steps_a_pulse: f64,
     /// The longest step of u in full contact, over the largest step.
@@ -78,8 +59,6 @@ impl Resolution {
             largest_step,
             steps_a_period: STEPS_A_PERIOD,
             finest_steps_a_period: FINEST_STEPS_A_PERIOD[0],
-            fewer_from: f64::INFINITY,
-            longer: EXACT_Z.longer,
             steps_a_pulse: STEPS_A_PULSE,
             standing: STANDING,
             steps_a_yield: 1.0,
@@ -94,7 +73,6 @@ impl Resolution {
         Resolution {
             steps_a_period: 0.0,
             finest_steps_a_period: 0.0,
-            longer: 1.0,
             steps_a_pulse: 1.0,
             standing: 1.0,
             steps_a_yield: 0.0,
@@ -121,21 +99,10 @@ impl Resolution {
         self
     }
 
-    /// The resolution of a cell whose z follows from u.
-    pub(crate) fn with_exact_z(self) -> Resolution {
-        Resolution {
-            largest_step: self.longer * self.largest_step,
-            steps_a_period: self.steps_a_period.min(EXACT_Z.steps_a_period),
-            fewer_from: EXACT_Z.fewer_from,
-            ..self
-        }
-    }
-
     /// Longest step of a cell whose fastest period is `period`, s; infinite where it has none.
     pub fn longest_step(&self, period: f64) -> f64 {
         let share = (SHORT_PERIOD / period).min(period / STIFF_PERIOD);
-        let fewer = (self.fewer_from / period).min(1.0).sqrt();
-        let steps = (FINEST_STEPS_A_PERIOD[1] * share * fewer).min(self.finest_steps_a_period);
+        let steps = (FINEST_STEPS_A_PERIOD[1] * share).min(self.finest_steps_a_period);
         self.largest_step.min(period / steps.max(self.steps_a_period)) / self.divide
     }
 
@@ -173,8 +140,6 @@ pub struct Clock {
     pub substeps_h: u32,
     /// Number of steps in all.
     pub steps: u32,
-    /// The longest flight at whose begin a landing block comes to rest, s.
-    pub rest_flight: f64,
 }
 
 impl Clock {

@@ -5,7 +5,6 @@ use std::f64::consts::TAU;
 
 use super::body::{Body, body_parameters};
 use super::clock::{Clock, Resolution, STEP_AT_STOP};
-use super::groups::FLIGHTS_A_STEP;
 use super::shortcuts::Shortcuts;
 use crate::scene::case::PEAK;
 use crate::scene::{Case, Directions, Excitation, Grid, Parameter, Shaking};
@@ -18,8 +17,6 @@ pub(crate) struct SwingH {
     squares: [f64; 2],
     /// The longest step of a base that yields, s; infinite for one that does not.
     longest: f64,
-    /// z follows from u.
-    exact_z: bool,
     /// The longest step of u in full contact, s.
     standing: f64,
 }
@@ -81,29 +78,21 @@ impl ClockRule<'_> {
         let p2 = body.most_p2();
         let Some(law) = &case.isolation.horizontal else {
             let standing = self.longest_standing(p2);
-            return SwingH { squares: p2, longest: f64::INFINITY, exact_z: false, standing };
+            return SwingH { squares: p2, longest: f64::INFINITY, standing };
         };
         let square = (TAU / law.t_h).powi(2);
         let [left, right] = body.stiffening_h();
         let squares = [(square * left).max(p2[0]), (square * right).max(p2[1])];
         let longest =
             case.isolation.stop.map_or(f64::INFINITY, |stop| STEP_AT_STOP / body.stop_rate(&stop));
-        let yields = self.shortcuts.integrate_z(law.psi);
-        let exact_z = yields && self.solves_z(law.n);
-        let in_yield = if yields {
+        let in_yield = if self.shortcuts.integrate_z(law.psi) {
             let yield_time = law.alpha_y * law.t_h / (TAU * f64::from(law.n));
             self.resolution.longest_in_yield(yield_time)
         } else {
             f64::INFINITY
         };
         let longest = longest.min(in_yield);
-        SwingH { squares, longest, exact_z, standing: self.longest_standing(squares).min(longest) }
-    }
-
-    /// True where z of a base that yields follows from u, for an exponent n of (11).
-    pub(crate) fn solves_z(&self, n: u32) -> bool {
-        let pulse = self.excitation.record().is_none();
-        pulse && n == 2 && self.shortcuts.exact_z && self.resolution.kinks
+        SwingH { squares, longest, standing: self.longest_standing(squares).min(longest) }
     }
 
     /// The longest step of u in full contact by the squares of its frequencies about both corners, s.
@@ -143,11 +132,7 @@ impl ClockRule<'_> {
         let square = |corner: usize| h.squares[corner] + v.squares[corner];
         let square = square(0).max(square(1));
         // The fastest period of the cell limits the longest step; it is infinite where nothing oscillates.
-        let resolution = match h.exact_z {
-            true => self.resolution.with_exact_z(),
-            false => self.resolution,
-        };
-        let longest = resolution.longest_step(TAU / square.sqrt()).min(h.longest);
+        let longest = self.resolution.longest_step(TAU / square.sqrt()).min(h.longest);
         let (steps_forced, substeps, substeps_h) = match self.excitation {
             Excitation::Pulse(_) => {
                 ((span.forced / longest.min(span.longest)).ceil().max(1.0), 1.0, 1.0)
@@ -161,14 +146,9 @@ impl ClockRule<'_> {
         let free = span.t_max - span.forced;
         // A remainder of a duration that is due to rounding is not a step.
         let steps_free = (free / longest - 1.0e-9).ceil().max(0.0);
-        let step_forced = span.forced / steps_forced;
-        let step_free = if steps_free > 0.0 { free / steps_free } else { 0.0 };
-        // Contact forces depend on when a block comes to rest: a longer step does not let it rest earlier.
-        let longer = resolution.largest_step / self.resolution.largest_step;
         Clock {
-            step_forced,
-            step_free,
-            rest_flight: step_forced.max(step_free) / (FLIGHTS_A_STEP * longer),
+            step_forced: span.forced / steps_forced,
+            step_free: if steps_free > 0.0 { free / steps_free } else { 0.0 },
             // `as` saturates; `Plan::new` refuses a scene with so many steps.
             steps_forced: steps_forced as u32,
             substeps: substeps as u32,

@@ -13,8 +13,7 @@ use crate::model::real::Real;
 use crate::scene::case::PEAK;
 use crate::scene::{Case, Directions, Parameter, Pulse, Shaking};
 
-/// A landing block comes to rest when its next flight would last less than a step divided by this number; than half of that
-/// where z follows from u, and steps are longer.
+/// A landing block comes to rest when its next flight would last less than a step divided by this number.
 pub const FLIGHTS_A_STEP: f64 = 32.0;
 
 fn finite<R: Real, const N: usize>(numbers: [R; N]) -> bool {
@@ -131,9 +130,10 @@ impl<R: Real> Steps<R> {
             Some(omega) => clock.step_forced * omega / TAU,
             None => 1.0 / f64::from(clock.substeps),
         };
+        let step = clock.step_forced.max(clock.step_free);
         let numbers = [phase_step, clock.step_forced, clock.step_free];
         let [phase_step, step_forced, step_free] = numbers.map(R::of);
-        let rest_speed = R::of(0.5 * fall * clock.rest_flight);
+        let rest_speed = R::of(0.5 * fall * step / FLIGHTS_A_STEP);
         Steps {
             phase_step,
             step_forced,

@@ -207,7 +207,6 @@ impl Plan {
             isolated_v,
             kinks: self.resolution.kinks && (yields || stops),
             yields,
-            exact_z: yields && self.clock_rule().solves_z(bouc_wen_n),
             // The energy proves nothing for a base that is not passive.
             certificate: self.shortcuts.certificate && !follows,
             asked: Asked { stops: self.asked.stops && stops, ..self.asked },

@@ -11,17 +11,14 @@ pub struct Shortcuts {
     pub certificate: bool,
     /// Motions in full contact are integrated once for all cells that share them, not in each cell.
     pub full_contact: bool,
-    /// z follows from u where its law can be solved, instead of being integrated.
-    pub exact_z: bool,
 }
 
 impl Shortcuts {
     /// All shortcuts.
-    pub const ALL: Shortcuts =
-        Shortcuts { linear: true, certificate: true, full_contact: true, exact_z: true };
+    pub const ALL: Shortcuts = Shortcuts { linear: true, certificate: true, full_contact: true };
     /// No shortcut: the full model.
     pub const NONE: Shortcuts =
-        Shortcuts { linear: false, certificate: false, full_contact: false, exact_z: false };
+        Shortcuts { linear: false, certificate: false, full_contact: false };
 
     /// True where z is integrated. Where psi = 1 no force depends on z; the full model still integrates it, and needs
     /// steps that resolve it.

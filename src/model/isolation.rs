@@ -29,8 +29,6 @@ pub struct Variant {
     pub kinks: bool,
     /// The base yields: z is a state.
     pub yields: bool,
-    /// z follows from u along a span: see [`hysteresis`].
-    pub exact_z: bool,
     /// Cells end as soon as their energy proves that their results are final.
     pub certificate: bool,
     /// The largest and least values that are requested.
@@ -59,7 +57,6 @@ impl Variant {
         isolated_v: false,
         kinks: false,
         yields: false,
-        exact_z: false,
         certificate: false,
         asked: Asked::ALL,
         bodies: false,
@@ -233,98 +230,4 @@ pub fn hysteretic_rate<R: Number>(set: &CellEquations<R>, y: &Motion<R>) -> R {
         }
     }
     R::select(together, (-rate).mul_add(power, rate), rate)
-}
-
-/// z of (11) with n = 2 where u has moved from that of the motion `y` without turning back. The law does not know of time: in
-/// the direction of the motion dz/du is 1/u_y up to z = 0, and (1 - z^2)/u_y from there on, which is the theorem of addition of
-/// the hyperbolic tangent.
-#[inline(always)]
-pub fn hysteresis<R: Number>(set: &CellEquations<R>, y: &Motion<R>, u: R) -> R {
-    let (zero, one) = (u.like(0.0), u.like(1.0));
-    let way = (u - y.u) * set.cell.horizontal.inverse_yield;
-    let forward = way.ge(zero);
-    // z in the direction of u, and where the elastic line leads.
-    let before = R::select(forward, y.z, -y.z);
-    let elastic = before + way.abs();
-    let unloads = zero.gt(before);
-    let onward = before.max(zero);
-    let (top, bottom) = R::select(unloads, elastic.max(zero), way.abs()).tangent();
-    let loaded = onward.mul_add(bottom, top) / onward.mul_add(top, bottom);
-    let z = R::select(zero.gt(elastic), elastic, loaded.min(one));
-    R::select(forward, z, -z)
-}
-
-#[cfg(test)]
-mod tests {
-    use bytemuck::Zeroable;
-
-    use super::*;
-    use crate::model::block::Model;
-    use crate::model::excitation::Cell;
-    use crate::model::real::Real;
-
-    /// u_y, m.
-    const YIELD: f64 = 0.02;
-
-    /// z along a path of u through its turning points, of which each part is taken in some pieces: by (11) with u' = 1 or -1 in
-    /// steps of Euler's method, and exactly.
-    fn along<R: Real>(turns: &[f64], pieces: u32) -> Vec<[f64; 2]> {
-        let mut cell = Cell::<R>::zeroed();
-        cell.horizontal.inverse_yield = R::of(1.0 / YIELD);
-        let mut fine = Cell::<f64>::zeroed();
-        fine.horizontal.inverse_yield = 1.0 / YIELD;
-        let (model, double) = (Model::<R>::zeroed(), Model::<f64>::zeroed());
-        let variant = Variant { yields: true, ..Variant::PLAIN };
-        let set = CellEquations::of(variant, &model, &cell, &[]);
-        let integrated = CellEquations::of(variant, &double, &fine, &[]);
-        let mut y = Motion::<R>::zeroed();
-        let mut by_steps = Motion::<f64>::zeroed();
-        let mut all = Vec::new();
-        for &turn in turns {
-            let (start, way) = (by_steps.u, turn - by_steps.u);
-            by_steps.du = way.signum();
-            for piece in 1..=pieces {
-                let u = R::of(start + way * f64::from(piece) / f64::from(pieces));
-                y = Motion { z: hysteresis(&set, &y, u), u, ..y };
-                let to = u.to_f64() - by_steps.u;
-                let steps = 100_000 / pieces;
-                for _ in 0..steps {
-                    let slope = hysteretic_rate(&integrated, &by_steps) * by_steps.du;
-                    by_steps.z += slope * to / f64::from(steps);
-                }
-                by_steps.u = u.to_f64();
-                assert!(y.z <= R::of(1.0) && y.z >= R::of(-1.0), "|z| is above 1 at {u:?}");
-                all.push([y.z.to_f64(), by_steps.z]);
-            }
-        }
-        all
-    }
-
-    /// Euler's method errs by about the part of u_y in one of its steps, here 1e-4 at most. f32 rounds u, which is 40 u_y
-    /// long at most, and so z to 40 units in the last place in each piece.
-    #[test]
-    fn z_follows_from_u_as_it_is_integrated() {
-        let turns = [0.01, -0.005, 0.06, 0.055, 0.06, -0.08, 0.02, 0.0, 0.4, 0.395, -0.4, 0.0];
-        for pieces in [1, 2, 7, 50] {
-            for ([exact, integrated], [single, _]) in
-                along::<f64>(&turns, pieces).into_iter().zip(along::<f32>(&turns, pieces))
-            {
-                assert!((exact - integrated).abs() < 3.0e-4, "{pieces}: {exact} {integrated}");
-                assert!((single - exact).abs() < 1.0e-4, "{pieces}: {single} {exact}");
-            }
-        }
-    }
-
-    /// In pieces or at once: the law has no step.
-    #[test]
-    fn z_does_not_depend_on_the_pieces_of_a_path() {
-        let turns = [0.03, -0.01, 0.05, -0.2, 0.1];
-        let ends = |pieces: u32| -> Vec<f64> {
-            let all = along::<f64>(&turns, pieces);
-            all.chunks(pieces as usize).map(|part| part[part.len() - 1][0]).collect()
-        };
-        for (whole, parts) in ends(1).into_iter().zip(ends(50)) {
-            assert!((whole - parts).abs() < 1.0e-14, "{whole} {parts}");
-        }
-    }
 }

@@ -37,12 +37,6 @@ pub trait Number:
     const COSINE: &'static [f64];
     /// Those of e^-x on 0 <= x <= ln 2, down to that of x.
     const EXPONENTIAL: &'static [f64];
-    /// Those of the numerator of tanh x over x, down to that of x^2.
-    const TANGENT_TOP: &'static [f64];
-    /// Those of its denominator, down to that of x^2.
-    const TANGENT_BOTTOM: &'static [f64];
-    /// The argument from which on tanh x rounds to 1.
-    const TANGENT_END: f64;
 
     /// The nearest number to `value` that is of the same kind as `self`, in all lanes.
     fn like(self, value: f64) -> Self;
@@ -123,31 +117,6 @@ pub trait Number:
             p = rest.mul_add(p, self.like(coefficient));
         }
         rest.mul_add(p, self.like(1.0)) * power
-    }
-
-    /// tanh x for x >= 0, as a numerator and a denominator: of an eighth of x by a continued fraction, then
-    /// doubled three times, tanh 2x = 2 tanh x/(1 + tanh^2 x).
-    #[inline(always)]
-    fn tangent(self) -> (Self, Self) {
-        let one = self.like(1.0);
-        let x = self.like(0.125) * self.min(self.like(Self::TANGENT_END));
-        let t = x * x;
-        let mut top = self.like(Self::TANGENT_TOP[0]);
-        for &coefficient in &Self::TANGENT_TOP[1..] {
-            top = t.mul_add(top, self.like(coefficient));
-        }
-        let mut bottom = self.like(Self::TANGENT_BOTTOM[0]);
-        for &coefficient in &Self::TANGENT_BOTTOM[1..] {
-            bottom = t.mul_add(bottom, self.like(coefficient));
-        }
-        top = x * t.mul_add(top, one);
-        bottom = t.mul_add(bottom, one);
-        for _ in 0..3 {
-            let product = top * bottom;
-            bottom = bottom.mul_add(bottom, top * top);
-            top = product + product;
-        }
-        (top, bottom)
     }
 
     /// sin(2 pi tau) for 0 <= tau <= 1: tau is first reduced to a quarter period, which is exact.

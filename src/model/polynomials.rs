@@ -1,4 +1,4 @@
-//! Coefficients of the polynomials that stand for sine, cosine, exponential and hyperbolic tangent; see
+//! Coefficients of the polynomials that stand for sine, cosine and exponential; see
 //! [`Number`](super::number::Number).
 
 // Chebyshev fits of sin(sqrt t)/sqrt t and cos(sqrt t) on 0 <= t <= 1.65^2, relative error 7e-9
@@ -67,15 +67,3 @@ pub const EXPONENTIAL_F64: [f64; 17] = [
     0.5,
     -1.0,
 ];
-
-// Lambert's continued fraction tanh x = x/(1 + t/(3 + t/(5 + ...))), t = x^2, after 4 of its parts in f32 and 7 in f64, as
-// x times one polynomial in t over another. On an eighth of the argument, and doubled three times, its relative error is
-// at most 2.4e-10 in f32 and 1.5e-17 in f64.
-/// Coefficients of the numerator in f32, the highest first; the lowest is 1.
-pub const TANGENT_TOP_F32: [f64; 1] = [2.0 / 21.0];
-/// Coefficients of the denominator in f32.
-pub const TANGENT_BOTTOM_F32: [f64; 2] = [1.0 / 105.0, 3.0 / 7.0];
-/// Coefficients of the numerator in f64.
-pub const TANGENT_TOP_F64: [f64; 3] = [1.0 / 135_135.0, 2.0 / 715.0, 5.0 / 39.0];
-/// Coefficients of the denominator in f64.
-pub const TANGENT_BOTTOM_F64: [f64; 3] = [4.0 / 19_305.0, 10.0 / 429.0, 6.0 / 13.0];

@@ -8,7 +8,6 @@ use fearless_simd::{Simd, SimdBase, f32x16, f64x8};
 use super::number::Number;
 use super::polynomials::{
     COSINE_F32, COSINE_F64, EXPONENTIAL_F32, EXPONENTIAL_F64, SINE_F32, SINE_F64,
-    TANGENT_BOTTOM_F32, TANGENT_BOTTOM_F64, TANGENT_TOP_F32, TANGENT_TOP_F64,
 };
 use super::precision::Precision;
 
@@ -84,7 +83,7 @@ mod sealed {
 }
 
 macro_rules! scalar {
-    ($type:ty, $precision:ident, $vector:ident, event: $event:expr, kink: $kink:expr, sine: $sine:expr, cosine: $cosine:expr, exponential: $exponential:expr, tangent: [$top:expr, $bottom:expr, $end:expr]) => {
+    ($type:ty, $precision:ident, $vector:ident, event: $event:expr, kink: $kink:expr, sine: $sine:expr, cosine: $cosine:expr, exponential: $exponential:expr) => {
         impl Real for $type {
             const PRECISION: Precision = Precision::$precision;
             const EVENT_TOLERANCE: $type = $event;
@@ -115,9 +114,6 @@ macro_rules! scalar {
             const SINE: &'static [f64] = &$sine;
             const COSINE: &'static [f64] = &$cosine;
             const EXPONENTIAL: &'static [f64] = &$exponential;
-            const TANGENT_TOP: &'static [f64] = &$top;
-            const TANGENT_BOTTOM: &'static [f64] = &$bottom;
-            const TANGENT_END: f64 = $end;
 
             #[inline(always)]
             fn like(self, value: f64) -> $type {
@@ -167,8 +163,8 @@ macro_rules! scalar {
     };
 }
 
-scalar!(f32, F32, f32x16, event: 1.0e-6, kink: 1.0e-3, sine: SINE_F32, cosine: COSINE_F32, exponential: EXPONENTIAL_F32, tangent: [TANGENT_TOP_F32, TANGENT_BOTTOM_F32, 10.0]);
-scalar!(f64, F64, f64x8, event: 1.0e-10, kink: 1.0e-5, sine: SINE_F64, cosine: COSINE_F64, exponential: EXPONENTIAL_F64, tangent: [TANGENT_TOP_F64, TANGENT_BOTTOM_F64, 20.0]);
+scalar!(f32, F32, f32x16, event: 1.0e-6, kink: 1.0e-3, sine: SINE_F32, cosine: COSINE_F32, exponential: EXPONENTIAL_F32);
+scalar!(f64, F64, f64x8, event: 1.0e-10, kink: 1.0e-5, sine: SINE_F64, cosine: COSINE_F64, exponential: EXPONENTIAL_F64);
 
 /// A number as a vector of one lane: the same code steps a single cell.
 macro_rules! single {
@@ -258,24 +254,6 @@ mod tests {
     fn the_exponential_is_right_to_rounding() {
         exponentials_follow_std::<f32>(f64::from(f32::EPSILON));
         exponentials_follow_std::<f64>(f64::EPSILON);
-    }
-
-    /// Both polynomials and each of the three doublings round five times at most, by half a unit in the last place; a doubling
-    /// makes the error before it no larger. What the fraction leaves out adds `left_out`.
-    fn tangents_follow_std<R: Real>(epsilon: f64, left_out: f64) {
-        for i in 0..=60_000 {
-            let x = R::of(f64::from(i) * 5.0e-4);
-            let (top, bottom) = x.tangent();
-            let exact = x.to_f64().tanh();
-            let error = (top.to_f64() / bottom.to_f64() - exact).abs();
-            assert!(error <= (10.0 * epsilon + left_out) * exact, "tanh {x:?}: {error:e}");
-        }
-    }
-
-    #[test]
-    fn the_hyperbolic_tangent_is_right_to_rounding() {
-        tangents_follow_std::<f32>(f64::from(f32::EPSILON), 2.4e-10);
-        tangents_follow_std::<f64>(f64::EPSILON, 1.5e-17);
     }
 
     #[test]

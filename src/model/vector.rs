@@ -6,21 +6,17 @@ use fearless_simd::{ExtractToken, Select, Simd, SimdBase, SimdFloat, SimdMask, f
 use super::number::Number;
 use super::polynomials::{
     COSINE_F32, COSINE_F64, EXPONENTIAL_F32, EXPONENTIAL_F64, SINE_F32, SINE_F64,
-    TANGENT_BOTTOM_F32, TANGENT_BOTTOM_F64, TANGENT_TOP_F32, TANGENT_TOP_F64,
 };
 use super::real::Vector;
 
 macro_rules! vector {
-    ($vector:ident, $element:ty, $lanes:expr, $sine:expr, $cosine:expr, $exponential:expr, $top:expr, $bottom:expr) => {
+    ($vector:ident, $element:ty, $lanes:expr, $sine:expr, $cosine:expr, $exponential:expr) => {
         impl<S: Simd> Number for $vector<S> {
             type Mask = <Self as SimdBase<S>>::Mask;
 
             const SINE: &'static [f64] = &$sine;
             const COSINE: &'static [f64] = &$cosine;
             const EXPONENTIAL: &'static [f64] = &$exponential;
-            const TANGENT_TOP: &'static [f64] = &$top;
-            const TANGENT_BOTTOM: &'static [f64] = &$bottom;
-            const TANGENT_END: f64 = <$element as Number>::TANGENT_END;
 
             #[inline(always)]
             fn like(self, value: f64) -> Self {
@@ -114,14 +110,5 @@ macro_rules! vector {
     };
 }
 
-vector!(
-    f32x16,
-    f32,
-    16,
-    SINE_F32,
-    COSINE_F32,
-    EXPONENTIAL_F32,
-    TANGENT_TOP_F32,
-    TANGENT_BOTTOM_F32
-);
-vector!(f64x8, f64, 8, SINE_F64, COSINE_F64, EXPONENTIAL_F64, TANGENT_TOP_F64, TANGENT_BOTTOM_F64);
+vector!(f32x16, f32, 16, SINE_F32, COSINE_F32, EXPONENTIAL_F32);
+vector!(f64x8, f64, 8, SINE_F64, COSINE_F64, EXPONENTIAL_F64);

@@ -85,10 +85,7 @@ impl<V: Vector> Lanes<'_, V> {
         h: V,
     ) {
         let y = &self.y;
-        let mut of_z = h.mask(0);
-        if !self.shared.variant.exact_z {
-            of_z = looked & crosses(y.z, y1.z);
-        }
+        let of_z = looked & crosses(y.z, y1.z);
         let of_du = looked & crosses(y.du, y1.du);
         if !V::any(of_z | of_du) {
             return;

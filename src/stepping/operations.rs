@@ -16,7 +16,6 @@ use crate::model::motion::Motion;
 use crate::model::number::Number;
 use crate::model::polynomials::{
     COSINE_F32, COSINE_F64, EXPONENTIAL_F32, EXPONENTIAL_F64, SINE_F32, SINE_F64,
-    TANGENT_BOTTOM_F32, TANGENT_BOTTOM_F64, TANGENT_TOP_F32, TANGENT_TOP_F64,
 };
 
 /// Counts of operations; changes of sign are not counted.
@@ -90,10 +89,6 @@ impl<const DOUBLE: bool> Number for Counted<DOUBLE> {
     const COSINE: &'static [f64] = if DOUBLE { &COSINE_F64 } else { &COSINE_F32 };
 
     const EXPONENTIAL: &'static [f64] = if DOUBLE { &EXPONENTIAL_F64 } else { &EXPONENTIAL_F32 };
-    const TANGENT_TOP: &'static [f64] = if DOUBLE { &TANGENT_TOP_F64 } else { &TANGENT_TOP_F32 };
-    const TANGENT_BOTTOM: &'static [f64] =
-        if DOUBLE { &TANGENT_BOTTOM_F64 } else { &TANGENT_BOTTOM_F32 };
-    const TANGENT_END: f64 = 20.0;
 
     fn like(self, value: f64) -> Self {
         Counted(value)

@@ -4,7 +4,6 @@ use crate::model::CellEquations;
 use crate::model::block::Corner;
 use crate::model::dynamics::{Contact, Rates, rates};
 use crate::model::excitation::Ground;
-use crate::model::isolation::hysteresis;
 use crate::model::motion::Motion;
 use crate::model::number::Number;
 
@@ -59,16 +58,6 @@ pub fn shift_back<R: Number>(
     }
 }
 
-/// The motion `at` with z as it follows from u since the motion `y`, where it does.
-#[inline(always)]
-fn with_z<R: Number>(set: &CellEquations<R>, y: &Motion<R>, at: Motion<R>) -> Motion<R> {
-    // A function: a closure that is called several times is compiled without vectors.
-    if !set.variant.exact_z {
-        return at;
-    }
-    Motion { z: hysteresis(set, y, at.u), ..at }
-}
-
 /// Steps over `h` seconds from the motion `y` with rates `k1`, the ground as it is halfway and at
 /// the end.
 #[inline(always)]
@@ -82,9 +71,9 @@ pub fn rk4<R: Number>(
     [ground_mid, ground_end]: [Ground<R>; 2],
 ) -> Stepped<R> {
     let half = h.like(0.5) * h;
-    let k2 = rates(set, corner, rocking, &with_z(set, y, shift(y, k1, half)), ground_mid);
-    let k3 = rates(set, corner, rocking, &with_z(set, y, shift(y, &k2, half)), ground_mid);
-    let k4 = rates(set, corner, rocking, &with_z(set, y, shift(y, &k3, h)), ground_end);
+    let k2 = rates(set, corner, rocking, &shift(y, k1, half), ground_mid);
+    let k3 = rates(set, corner, rocking, &shift(y, &k2, half), ground_mid);
+    let k4 = rates(set, corner, rocking, &shift(y, &k3, h), ground_end);
     let sixth = h.like(0.166_666_666_666_666_66) * h;
     let two = h.like(2.0);
     let end = Motion {
@@ -106,27 +95,7 @@ pub fn rk4<R: Number>(
         true => [h.like(0.5) * (k2.ddu + k3.ddu), h.like(0.5) * (k2.ddv + k3.ddv)],
         false => [h; 2],
     };
-    Stepped { y: with_z(set, y, end), mid, mid_base, k4 }
-}
-
-/// The step with the rates `end` at its end in place of those of its last stage, and with what is halfway corrected by their
-/// difference: the displacements of the two stages halfway err in the mean by minus a quarter of those of the last stage,
-/// but for terms of fourth order in the step.
-#[inline(always)]
-pub fn corrected<R: Number>(
-    set: &CellEquations<R>,
-    stepped: &Stepped<R>,
-    end: Rates<R>,
-) -> Stepped<R> {
-    let Stepped { mut mid, mut mid_base, k4, .. } = *stepped;
-    let quarter = end.shear.like(0.25);
-    mid.shear = quarter.mul_add(k4.shear - end.shear, mid.shear);
-    mid.normal = quarter.mul_add(k4.normal - end.normal, mid.normal);
-    if set.variant.asked.accelerations {
-        mid_base[0] = quarter.mul_add(k4.ddu - end.ddu, mid_base[0]);
-        mid_base[1] = quarter.mul_add(k4.ddv - end.ddv, mid_base[1]);
-    }
-    Stepped { mid, mid_base, k4: end, ..*stepped }
+    Stepped { y: end, mid, mid_base, k4 }
 }
 
 /// Value at the fraction `at` of the cubic through two ends with their slopes over `h`.

@@ -57,7 +57,7 @@ impl<V: Vector> Lanes<'_, V> {
                 self.cut = self.cut | long;
             }
         }
-        if variant.kinks && variant.yields && !variant.exact_z {
+        if variant.kinks && variant.yields {
             let settling = settling_rate(&self.equations(), &self.y) * step;
             let limit = one.like(YIELD_LIMIT);
             let long = whole & (settling * self.span).gt(limit);

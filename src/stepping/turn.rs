@@ -15,7 +15,7 @@ use super::certificate::STEPS_A_TRY;
 use super::extremes::{Accelerations, stop_ends};
 use super::guards::{EVENT_BOUND, GuardSample, KINK};
 use super::lanes::Lanes;
-use super::rk4::{corrected, rk4, shift_back};
+use super::rk4::{rk4, shift_back};
 use super::search::RootDistance;
 use super::state::is_finite;
 
@@ -170,21 +170,13 @@ impl<V: Vector> Lanes<'_, V> {
         let moved = plain | switched | arrived;
         let rocks = (self.rocking, self.corner.side);
         self.extremes.update_motion(variant.asked, moved, rocks, &self.y, &y1, h);
-        let mut felt = stepped;
-        if variant.exact_z && (variant.asked.forces || variant.asked.accelerations) {
-            // A longer step needs the forces at its end, not those of its last stage.
-            let set = self.equations();
-            let end = rates(&set, &self.corner, self.rocking, &stepped.y, ground_end);
-            felt = corrected(&set, &stepped, end);
-            k_end = felt.k4;
-        }
         if variant.asked.forces {
-            self.feel(moved, [k1.contact(), felt.mid, k_end.contact()]);
+            self.feel(moved, [k1.contact(), stepped.mid, k_end.contact()]);
         }
         if variant.asked.accelerations {
             let instants = [
                 ([k1.ddu, k1.ddv], k1.contact(), ground),
-                (felt.mid_base, felt.mid, ground_mid),
+                (stepped.mid_base, stepped.mid, ground_mid),
                 ([k_end.ddu, k_end.ddv], k_end.contact(), ground_end),
             ];
             // In a function of its own: few runs ask for it, and its code would slow the others down.

@@ -121,7 +121,6 @@ fn hold(name: &str, scene: &Scene, shortcuts: Shortcuts) -> Vec<Outcome> {
 const CERTIFICATE: Shortcuts = Shortcuts { certificate: true, ..Shortcuts::NONE };
 const FULL_CONTACT: Shortcuts = Shortcuts { full_contact: true, ..Shortcuts::NONE };
 const LINEAR: Shortcuts = Shortcuts { linear: true, ..Shortcuts::NONE };
-const EXACT_Z: Shortcuts = Shortcuts { exact_z: true, ..Shortcuts::NONE };
 
 #[test]
 fn the_certificate_changes_no_outcome() {
@@ -471,27 +470,6 @@ fn a_linear_base_has_no_hysteretic_variable() {
     hold("linear, psi = 1", &map("dual", Some(1.0), 0.5, 40), LINEAR);
     let plan = Plan::new(&map("dual", Some(1.0), 0.5, 4), DEFAULT_STEP).unwrap();
     assert!(!plan.variant().yields && plan.full_model().variant().yields);
-}
-
-/// Of a pulse and n = 2 alone; under records and for other n z is integrated, and no step is longer.
-#[test]
-fn an_exact_hysteretic_variable_changes_no_outcome() {
-    for isolation in ["dual", "horizontal"] {
-        hold(&format!("exact z, {isolation}"), &map(isolation, None, 0.5, 40), EXACT_Z);
-    }
-    let solves = |scene: &Scene| {
-        let plan = Plan::new(scene, DEFAULT_STEP).unwrap();
-        let steps = |plan: &Plan| plan.clock(&Grid::of(scene).case(0)).steps;
-        let (few, all) = (steps(&plan), steps(&plan.full_model()));
-        assert!(!plan.full_model().variant().exact_z);
-        assert_eq!(plan.variant().exact_z, few < all, "{few} of {all} steps");
-        plan.variant().exact_z
-    };
-    let mut cubed = map("dual", None, 0.5, 4);
-    cubed.set(Parameter::BoucWenN, 3.0);
-    assert!(solves(&map("dual", None, 0.5, 4)) && solves(&map("horizontal", None, 0.5, 4)));
-    assert!(!solves(&cubed) && !solves(&map("none", None, 0.5, 4)));
-    assert!(!solves(&record_map(1, -0.4, 4, Some(40.0))));
 }
 
 #[test]

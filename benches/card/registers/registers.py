@@ -15,7 +15,7 @@ ROOT = HERE.parents[2]
 
 # Override constants of each map, as src/cells/plan.rs sets them.
 MAPS = {
-    "default map": "recorded=0,certificate=1,exact_z=1",
+    "default map": "recorded=0,certificate=1",
     "all 30 s": "recorded=0,certificate=0",
     "record map": "recorded=1,certificate=1",
 }

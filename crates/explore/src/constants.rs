@@ -62,11 +62,6 @@ pub fn constants(record: Option<(&str, &Pair)>) -> Result<Value, SceneError> {
             "steps_a_pulse": clock::STEPS_A_PULSE,
             "flights_a_step": FLIGHTS_A_STEP,
             "step_at_stop": clock::STEP_AT_STOP,
-            "exact_z": {
-                "longer": clock::EXACT_Z.longer,
-                "steps_a_period": clock::EXACT_Z.steps_a_period,
-                "fewer_from": clock::EXACT_Z.fewer_from,
-            },
         },
         "kinds": kinds(),
         "codes": { "outcome": Class::ALL.map(Class::name), "status": STATUS_NAMES },

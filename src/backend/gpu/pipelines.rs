@@ -31,7 +31,6 @@ pub fn constants(variant: Variant, events_kept: usize) -> Vec<(&'static str, f64
         ("isolated_v", f64::from(u8::from(variant.isolated_v))),
         ("kinks", f64::from(u8::from(variant.kinks))),
         ("yields", f64::from(u8::from(variant.yields))),
-        ("exact_z", f64::from(u8::from(variant.exact_z))),
         ("certificate", f64::from(u8::from(variant.certificate))),
         ("angles", f64::from(u8::from(variant.asked.angles))),
         ("displacements", f64::from(u8::from(variant.asked.displacements))),

@@ -4,12 +4,12 @@ use bytemuck::Zeroable;
 
 use super::motions::{ACCELERATION, LEAST, LEAST_SO_FAR, MAGNITUDE, MAGNITUDE_SO_FAR, MotionPair};
 use crate::model::CellEquations;
-use crate::model::dynamics::rates;
+use crate::model::dynamics::{Contact, rates};
+use crate::model::isolation::support;
 use crate::model::number::Number;
 use crate::model::real::{Real, Vector};
 use crate::stepping::forcing::Forcing;
-use crate::stepping::guards::crosses;
-use crate::stepping::rk4::{corrected, rk4};
+use crate::stepping::rk4::rk4;
 use crate::stepping::state::State;
 
 /// The number of gaps before a sample that are searched as vectors: those in which u and v both have numbers, if they
@@ -110,8 +110,7 @@ pub(crate) fn crests<V: Vector>(
 }
 
 /// The friction demand so far and within a gap, of which a cell takes the steps from the shared motions at its start.
-/// Integrated z and u' are smooth enough across the kinks of the Bouc-Wen law for a gap. A z that follows from u is not:
-/// such a step is cut where the chord of u' is zero.
+/// They are not cut at the kinks of the Bouc-Wen law, across which z and u' are smooth enough for a gap.
 #[inline(never)]
 pub(crate) fn within_gap<R: Real>(
     motions: &MotionPair<R>,
@@ -129,27 +128,13 @@ pub(crate) fn within_gap<R: Real>(
     let mut forcing = Forcing::new(zero);
     forcing.begin(0, set, gap as u32 * cell.steps.substeps, false);
     for _ in 0..cell.steps.substeps {
-        let (mut start, mut length) = (zero, one);
-        while start < one {
-            let at = [start, start + half * length, start + length];
-            let grounds = at.map(|at| forcing.ground(variant, cell, at));
-            let k1 = rates(set, corner, none, &y, grounds[0]);
-            let h = length * forcing.step;
-            let mut stepped = rk4(set, corner, none, &y, &k1, h, [grounds[1], grounds[2]]);
-            if variant.exact_z && length >= one && crosses(y.du, stepped.y.du) {
-                length = y.du / (y.du - stepped.y.du);
-                continue;
-            }
-            let k_end = rates(set, corner, none, &stepped.y, grounds[2]);
-            if variant.exact_z {
-                stepped = corrected(set, &stepped, k_end);
-            }
-            let end = k_end.contact();
-            extremes.update_contact(!none, k1.contact(), stepped.mid, end);
-            y = stepped.y;
-            start = start + length;
-            length = one - start;
-        }
+        let grounds = [zero, half, one].map(|at| forcing.ground(variant, cell, at));
+        let k1 = rates(set, corner, none, &y, grounds[0]);
+        let stepped = rk4(set, corner, none, &y, &k1, forcing.step, [grounds[1], grounds[2]]);
+        let base = support(set, &stepped.y, grounds[2]);
+        let end = Contact { shear: base.f_h, normal: base.f_v };
+        extremes.update_contact(!none, k1.contact(), stepped.mid, end);
+        y = stepped.y;
         forcing.done = forcing.done + one;
     }
     extremes.friction

@@ -10,9 +10,9 @@ use crate::scene::Case;
 use crate::stepping::spans::Direction;
 use crate::stepping::state::State;
 
-/// The share of its largest value by which an acceleration may exceed its values at the ends of steps: at 48 steps
-/// per period it is at most (pi/48)^2/2 = 2.1e-3.
-pub(crate) const SLACK: f64 = 3.0e-3;
+/// The share of its largest value by which an acceleration may exceed its values at the ends of steps: at 64 steps
+/// per period it is at most 1.2e-3.
+pub(crate) const SLACK: f64 = 2.0e-3;
 /// The data with which the integration of a motion begins.
 #[derive(Clone, Copy)]
 pub struct Start<R> {

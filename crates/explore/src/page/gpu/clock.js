@@ -22,28 +22,26 @@ export function clockParameters(grid) {
   return [...bodyParameters(), ...swingParameters(grid), ...SWING_V, ...SPAN];
 }
 
-// Longest step of a cell whose fastest period is `period`, s, and whose z follows from u, or is integrated.
-function longestStep(period, exactZ) {
-  const { largest_step: largest, finest, most, short_period: short, stiff_period: stiff } = known.steps;
-  const { steps_a_period: least } = exactZ ? known.steps.exact_z : known.steps;
+// Longest step of a cell whose fastest period is `period`, s.
+function longestStep(period) {
+  const { largest_step: largest, steps_a_period: least, finest, most, short_period: short, stiff_period: stiff } = known.steps;
   const share = Math.min(short / period, period / stiff);
-  const fewer = exactZ ? Math.sqrt(Math.min(known.steps.exact_z.fewer_from / period, 1)) : 1;
-  const steps = Math.min(most * share * fewer, finest);
-  return Math.min(exactZ ? known.steps.exact_z.longer * largest : largest, period / Math.max(steps, least));
+  const steps = Math.min(most * share, finest);
+  return Math.min(largest, period / Math.max(steps, least));
 }
 
 // The horizontal isolation's part; the base yields where psi is below 1.
 export function swingH(cell, body) {
   const p2 = body.mostP2();
   const law = cell.base.horizontal;
-  if (!law) return { squares: p2, longest: Infinity, exactZ: false };
+  if (!law) return { squares: p2, longest: Infinity };
   const omega = TAU / law.tH;
   const square = omega * omega;
   const squares = body.stiffeningH().map((stiffening, k) => Math.max(square * stiffening, p2[k]));
   const inYield = law.psi < 1 ? (law.alphaY * law.tH) / (TAU * law.n) : Infinity;
   const { stop } = cell.base;
   const atStop = stop ? known.steps.step_at_stop / body.stopRate(stop) : Infinity;
-  return { squares, longest: Math.min(inYield, atStop), exactZ: law.psi < 1 && law.n === 2 };
+  return { squares, longest: Math.min(inYield, atStop) };
 }
 
 // The vertical part.
@@ -68,8 +66,7 @@ const word = (number) => Math.min(Math.max(Math.trunc(number), 0), 0xffffffff);
 // The clock of its parts.
 export function clockOf(h, v, span, record) {
   const square = Math.max(h.squares[0] + v[0], h.squares[1] + v[1]);
-  const exactZ = h.exactZ && !record;
-  const longest = Math.min(longestStep(TAU / Math.sqrt(square), exactZ), h.longest);
+  const longest = Math.min(longestStep(TAU / Math.sqrt(square)), h.longest);
   let forced;
   let substeps = 1;
   if (record) {
@@ -79,13 +76,9 @@ export function clockOf(h, v, span, record) {
   const rest = span.tMax - span.forced;
   // What rounding leaves of a duration is no step.
   const free = Math.max(Math.ceil(rest / longest - 1e-9), 0);
-  const stepForced = span.forced / forced;
-  const stepFree = free > 0 ? rest / free : 0;
-  const flights = known.steps.flights_a_step * (exactZ ? known.steps.exact_z.longer : 1);
   return {
-    stepForced,
-    stepFree,
-    restFlight: Math.max(stepForced, stepFree) / flights,
+    stepForced: span.forced / forced,
+    stepFree: free > 0 ? rest / free : 0,
     stepsForced: word(forced),
     substeps: word(substeps),
     steps: word(forced + free),

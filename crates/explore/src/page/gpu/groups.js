@@ -2,6 +2,7 @@
 // f64, and rounded once.
 
 import { deflectionOf } from './isolation.js';
+import { known } from './known.js';
 import { modulationOf, peakOf } from './pulse.js';
 
 const TAU = 2 * Math.PI;
@@ -69,6 +70,7 @@ export function driveOf(cell, shared) {
 // The reals of a clock's steps, and whether all are finite; the block falls back at the rate `fall`.
 export function stepsOf(omega, clock, fall) {
   const phaseStep = omega === null ? 1 / clock.substeps : (clock.stepForced * omega) / TAU;
-  const reals = [phaseStep, clock.stepForced, clock.stepFree, 0.5 * fall * clock.restFlight];
+  const step = Math.max(clock.stepForced, clock.stepFree);
+  const reals = [phaseStep, clock.stepForced, clock.stepFree, (0.5 * fall * step) / known.steps.flights_a_step];
   return { reals, finite: finite(reals) };
 }

@@ -62,7 +62,6 @@ function planOf(scene, grid, laws) {
       isolated_v: flag(movesV(isolation)),
       kinks: flag(laws.yields || laws.stops),
       yields: flag(laws.yields),
-      exact_z: flag(laws.yields && laws.n === 2 && !choices.record),
       // Nothing is proved of a base that is not passive.
       certificate: flag(!laws.follows),
       follows: flag(laws.follows),
