@@ -38,17 +38,14 @@ impl Element {
     }
 }
 
+/// Hands the bytes of an array's elements over to a writer.
+pub(super) type Fill<'a> = &'a mut dyn FnMut(&mut dyn io::Write) -> io::Result<()>;
+
 /// A file of arrays that is written array after array.
 pub(super) trait ArrayFile {
     /// Adds an array whose last index is the fastest one. `write` is to hand over the bytes of all its elements, the lowest byte
     /// of each first.
-    fn array(
-        &mut self,
-        name: &str,
-        of: Element,
-        shape: &[u64],
-        write: &mut dyn FnMut(&mut dyn io::Write) -> io::Result<()>,
-    ) -> io::Result<()>;
+    fn array(&mut self, name: &str, of: Element, shape: &[u64], write: Fill) -> io::Result<()>;
 
     /// Adds a text.
     fn text(&mut self, name: &str, text: &str) -> io::Result<()>;

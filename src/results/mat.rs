@@ -10,7 +10,7 @@ use flate2::Compression;
 use flate2::write::ZlibEncoder;
 
 use super::about::Source;
-use super::arrays::{self, ArrayFile, Element};
+use super::arrays::{self, ArrayFile, Element, Fill};
 use super::listed::FileCells;
 use super::outcomes::Outcomes;
 use super::values::{ValueType, bytes_of};
@@ -99,7 +99,7 @@ impl<W: Write + Seek> MatFile<W> {
         class: u32,
         shape: &[u64],
         (of, bytes): (u32, u64),
-        write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>,
+        write: Fill,
     ) -> io::Result<()> {
         // Each side is at most the number of bytes, which `tag` refuses beyond i32.
         let data = tag(of, bytes)?;
@@ -130,13 +130,7 @@ impl<W: Write + Seek> MatFile<W> {
 }
 
 impl<W: Write + Seek> ArrayFile for MatFile<W> {
-    fn array(
-        &mut self,
-        name: &str,
-        of: Element,
-        shape: &[u64],
-        write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>,
-    ) -> io::Result<()> {
+    fn array(&mut self, name: &str, of: Element, shape: &[u64], write: Fill) -> io::Result<()> {
         let (class, data) = match of {
             Element::Bool => (class::UINT8 | class::LOGICAL, data::UINT8),
             Element::Cell => (class::UINT64, data::UINT64),

@@ -9,7 +9,7 @@ use zip::write::SimpleFileOptions;
 use zip::{ZipArchive, ZipWriter};
 
 use super::about::Source;
-use super::arrays::{self, ABOUT, ArrayFile, Element};
+use super::arrays::{self, ABOUT, ArrayFile, Element, Fill};
 use super::listed::FileCells;
 use super::npy;
 use super::outcomes::Outcomes;
@@ -69,13 +69,7 @@ impl<W: Write + Seek> Archive<W> {
 }
 
 impl<W: Write + Seek> ArrayFile for Archive<W> {
-    fn array(
-        &mut self,
-        name: &str,
-        of: Element,
-        shape: &[u64],
-        write: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>,
-    ) -> io::Result<()> {
+    fn array(&mut self, name: &str, of: Element, shape: &[u64], write: Fill) -> io::Result<()> {
         let numpy = match of {
             Element::Bool => "|b1",
             Element::Value(of) => of.in_numpy(),

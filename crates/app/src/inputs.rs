@@ -65,6 +65,7 @@ impl<'a> InputReader<'a> {
         self.read
     }
 }
+
 /// A run that is repeated.
 #[derive(Debug, Clone)]
 pub struct Repeats {
